@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "camera/eye_region.h"
 #include "camera/frame_view.h"
 #include "camera/negligible.h"
 #include "model/bounds.h"
@@ -32,6 +34,20 @@ bool has_line_of_sight(const Camera& camera) {
 
 }  // namespace
 
+double EyeRegion::reach(const glm::dvec3& direction) const {
+  double most = radius * glm::length(direction);
+  for (const glm::dvec3& half_edge : half_edges) most += std::fabs(glm::dot(half_edge, direction));
+  return most;
+}
+
+std::string_view fault(const EyeRegion& eyes) {
+  if (!(eyes.radius == 0 || is_legal_length(eyes.radius)))
+    return "the radius of the eyes must be 0, or positive and in range";
+  if (!std::ranges::all_of(eyes.half_edges, is_legal)) return "a half-edge of the eyes is not finite or out of range";
+  if (eyes.radius != 0 && eyes.half_edges != EyeRegion{}.half_edges) return "the eyes are in a ball or in a box, not both";
+  return "";
+}
+
 std::string fault(const Camera& camera) {
   if (!is_legal(camera.eye) || !is_legal(camera.target) || !is_legal(camera.up))
     return "a number is not finite or out of range";
@@ -45,6 +61,7 @@ std::string fault(const Camera& camera) {
   if (!is_legal_length(camera.height)) return "the picture must have a height";
   if (!(camera.aspect >= 1 / kLargestAspect && camera.aspect <= kLargestAspect))
     return "the picture must not be more than 65536 times as wide as high, or as high as wide";
+  if (const std::string_view of_eyes = fault(camera.eyes); !of_eyes.empty()) return std::string(of_eyes);
   return "";
 }
 

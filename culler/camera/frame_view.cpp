@@ -6,10 +6,12 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "camera/eye_region.h"
 #include "camera/legal_half_space.h"
 #include "camera/matrix_eye.h"
 #include "camera/negligible.h"
@@ -21,13 +23,21 @@
 namespace occlude::culler {
 namespace {
 
-/// The half-space beyond `point` in the direction `inward`. It is moved outwards by the margin and by more than its offset
-/// is rounded by: three products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient. The
-/// roundings of the normal tilt the plane at `depth` by far less than the margin.
-HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double depth) {
+/// The half-space beyond `point` in the direction `inward`, from all eyes. It is moved outwards by the margin and by more
+/// than its offset is rounded by: three products |normal_k| |point_k|, each with at most four roundings and a dropped
+/// coefficient. The roundings of the normal tilt the plane at `depth` by far less than the margin.
+HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double depth, const EyeRegion& eyes) {
   const glm::dvec3 normal = without_negligible(inward / glm::length(inward));
   const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z);
-  return legal(normal, -glm::dot(normal, point) + 0x1p-48 * size + kDepthMargin * depth);
+  return legal(normal, -glm::dot(normal, point) + 0x1p-48 * size + kDepthMargin * depth + eyes.reach(normal));
+}
+
+/// No point that is `reach` from the middle of the region, in the sum of the axes, is farther from any of its eyes.
+double depth_from_all(const EyeRegion& eyes, double reach) {
+  return reach + 2 * eyes.radius +
+         std::accumulate(eyes.half_edges.begin(), eyes.half_edges.end(), 0.0, [](double sum, const glm::dvec3& h) {
+           return sum + std::fabs(h.x) + std::fabs(h.y) + std::fabs(h.z);
+         });
 }
 
 /// The part of a picture whose rays matter, in halves of the camera's picture: with the border of a coarse picture, which
@@ -73,22 +83,23 @@ bool is_across(const MatrixEye& eye, const Crossing& crossing) {
 
 FrameView::FrameView(const Camera& camera, double reach)
     : is_perspective(camera.projection == Projection::perspective),
-      depth(reach),
+      depth(depth_from_all(camera.eyes, reach)),
       eye(camera.eye),
       axes(camera.axes()),
       viewpoint(camera.viewpoint()),
       half_height(is_perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2),
       area(camera.height * camera.height * camera.aspect),
       near_normal(axes.forward),
-      near_distance(camera.near_plane + kDepthMargin * reach),
+      near_distance(camera.near_plane + kDepthMargin * depth + camera.eyes.reach(near_normal)),
       near(near_distance),
       is_oblique(false),
-      eye_uncertainty(0) {
+      eye_uncertainty(0),
+      eyes(is_perspective ? camera.eyes : EyeRegion{}) {
   half_width = half_height * camera.aspect;
   height = 2 * half_height;
   const auto& [right, up, forward] = axes;
   const auto append = [&](const glm::dvec3& inward, const glm::dvec3& point) {
-    add(half_space(inward, point, depth), kDepthMargin);
+    add(half_space(inward, point, depth, camera.eyes), kDepthMargin);
   };
   for (const auto& [half, across] :
        {std::pair{half_width, right}, {half_width, -right}, {half_height, up}, {half_height, -up}}) {
@@ -98,25 +109,24 @@ FrameView::FrameView(const Camera& camera, double reach)
       append(across, camera.eye - half * across);
     }
   }
-  append(forward, camera.eye + camera.near_plane * forward);
+  if (camera.eyes.is_point()) append(forward, camera.eye + camera.near_plane * forward);
   if (std::isfinite(camera.far_plane)) append(-forward, camera.eye + camera.far_plane * forward);
 }
 
-/// Why this holds for every eye within the radius r, and for wherever the exact eye is: the camera at eye + e sees what a
-/// camera at the eye sees of a model that is moved by -e.
-///  - Half-spaces of the first are those of the second moved by e, and so by at most r along their normals.
-///  - A coarse picture bounds what moves of points by `eye_uncertainty` can do, and the model moves by r at most. Points
-///  that moved
-///    are farther from the eye by up to 2 r in the sum of the axes, which is part of the depth.
-///  - A point is beyond the near plane of the one if it is beyond that of the other by r. Along a ray from the eye, both are
-///    equally far.
+/// Why this holds from every eye of the region, and for wherever the exact eye is: the camera at eye + e sees what a camera
+/// at the eye sees of a model that is moved by -e.
+///  - Half-spaces of the first are those of the second moved by e, and so along their normals by as far as the region
+///    reaches. There is none of the near plane, because a camera for which the frame holds may have a nearer one.
+///  - A coarse picture bounds what moves of points by `eye_uncertainty` can do, and what the eyes can.
+///  - A point is beyond the near plane of all eyes if it is beyond the camera's by as far as the region reaches. Along a ray
+///    from an eye, the near planes of all are equally far.
 ///  - Parallel rays stay what they are: nothing needs to be moved.
 FrameView::FrameView(const MatrixCamera& camera, double reach)
     : is_perspective(true), area(0), near_distance(0), near(0), is_oblique(false), eye_uncertainty(0) {
   const MatrixEye of(camera);
-  const double radius = camera.eye_radius;
   is_perspective = of.is_perspective();
-  depth = reach + 2 * radius;
+  eyes = is_perspective ? camera.eyes : EyeRegion{};
+  depth = depth_from_all(camera.eyes, reach);
   eye = of.eye();
   axes = of.axes();
   viewpoint =
@@ -125,11 +135,12 @@ FrameView::FrameView(const MatrixCamera& camera, double reach)
   half_height = of.half_height();
   height = of.height();
   area = 4 * half_width * half_height;
-  eye_uncertainty = of.moved(depth) + (is_perspective ? radius : 0);
+  eye_uncertainty = of.moved(depth);
   const std::array<ClipPlane, 6> planes = of.planes(depth);
-  for (const ClipPlane& plane : planes) {
-    if (plane.is_everywhere) continue;
-    const double offset = plane.offset + plane.error + radius;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const ClipPlane& plane = planes[i];
+    if (plane.is_everywhere || (i == MatrixEye::kNear && !camera.eyes.is_point())) continue;
+    const double offset = plane.offset + plane.error + camera.eyes.reach(plane.normal);
     if (offset <= kFarthestPlane) add(legal(plane.normal, offset), plane.margin);
   }
 
@@ -138,8 +149,8 @@ FrameView::FrameView(const MatrixCamera& camera, double reach)
   const ClipPlane& clip = planes[MatrixEye::kNear];
   near_normal = clip.normal;
   const double distance = clip.error - (glm::dot(clip.normal, eye) + clip.offset);
-  near_distance = distance + radius;
-  const double beyond = eye_uncertainty + kDepthMargin * depth + kernel::kMinMagnitude;
+  near_distance = distance + camera.eyes.reach(near_normal);
+  const double beyond = eyes.reach(axes.forward) + eye_uncertainty + kDepthMargin * depth + kernel::kMinMagnitude;
   const auto crossing = crossing_of(of, near_normal, is_perspective ? distance : near_distance);
   is_oblique = !crossing || !is_across(of, *crossing);
   near = !is_oblique ? crossing->farthest + beyond : is_perspective ? beyond : -2 * depth - beyond;

@@ -50,8 +50,9 @@ struct FrameView {
   double near;
   bool is_oblique;  ///< a triangle with a corner that it may_clip() does not hide
   /// The camera sees what it would see from `eye` along `forward` if each point were moved by up to this. It is more than 0
-  /// where the eye is not known exactly, or where the frame holds for more than one eye.
+  /// where the eye is not known exactly.
   double eye_uncertainty;
+  EyeRegion eyes;  ///< the frame holds for all of them, relative to `eye`. With parallel rays, `eye` stands for all of them
   std::array<HalfSpace, 6> half_spaces;
   /// The margin that each half-space has for single precision, as a share of the depth.
   std::array<double, 6> half_space_margins;

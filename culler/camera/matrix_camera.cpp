@@ -31,7 +31,7 @@ MatrixCamera MatrixCamera::from_camera(const Camera& camera, ClipDepth depth, Ne
   if (nearer == Nearer::less) z = w - z;
   if (depth == ClipDepth::minus_w_to_w) z = 2.0 * z - w;
   const glm::dmat4 rows(along(right) / (half * camera.aspect), along(up) / half, z, w);
-  return {.matrix = glm::transpose(rows), .depth = depth, .nearer = nearer};
+  return {.matrix = glm::transpose(rows), .depth = depth, .nearer = nearer, .eyes = camera.eyes};
 }
 
 glm::dvec3 MatrixCamera::eye() const { return MatrixEye(*this).eye(); }
@@ -43,12 +43,5 @@ void append_view_frustum(const MatrixCamera& camera, double depth, std::vector<H
 }
 
 std::string fault(const MatrixCamera& camera) { return std::string(MatrixEye(camera).fault()); }
-
-std::string fault(const MatrixCamera& camera, Method method) {
-  std::string found = fault(camera);
-  if (found.empty() && method == Method::frusta && camera.eye_radius > 0)
-    return "shadow frusta are from one eye: a radius of eyes is for covers";
-  return found;
-}
 
 }  // namespace occlude::culler

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "camera/eye_region.h"
 #include "camera/legal_half_space.h"
 #include "camera/negligible.h"
 #include "camera/single_precision.h"
@@ -102,8 +103,7 @@ std::string_view MatrixEye::find(const MatrixCamera& camera) {
   for (int i = 0; i < 16; ++i) {
     if (!(std::fabs(camera.matrix[i / 4][i % 4]) <= kernel::kMaxMagnitude)) return "a number is not finite or out of range";
   }
-  if (!(camera.eye_radius == 0 || (camera.eye_radius > 0 && kernel::check(camera.eye_radius) == kernel::Refusal::none)))
-    return "the radius of the eyes must be 0, or positive and in range";
+  if (const std::string_view of_eyes = culler::fault(camera.eyes); !of_eyes.empty()) return of_eyes;
   const glm::dvec3& w = w_.normal;
   is_perspective_ = std::max({std::fabs(w.x), std::fabs(w.y), std::fabs(w.z)}) > kParallel * std::fabs(w_.constant);
   if (const auto fault = is_perspective_ ? find_perspective() : find_parallel(camera.nearer); !fault.empty()) return fault;

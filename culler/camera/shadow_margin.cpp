@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "camera/eye_region.h"
 #include "camera/frame_view.h"
 #include "camera/single_precision.h"
 #include "model/bounds.h"
@@ -21,7 +22,7 @@ ShadowMargin::ShadowMargin(const FrameView& view, double share)
       is_perspective_(view.is_perspective),
       size_(share * view.height),
       rounding_(share == 0 ? 0 : kSinglePrecision * view.depth),
-      eye_error_(view.eye_uncertainty) {}
+      eye_error_(view.eye_uncertainty + radius_of(view.eyes)) {}
 
 /// A vertex w along the line of sight and a across it moves by d and e. In the picture that is from a / w to
 /// (a + e) / (w + d): by (w e - a d) / (w (w + d)), which is no longer than |(d, e)| |(w, a)| / (w (w - |d|)).

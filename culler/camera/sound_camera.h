@@ -19,13 +19,6 @@ void require_sound(const AnyCamera& camera) {
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
 }
 
-/// The same for a frame by this method.
-inline void require_sound(const Camera& camera, Method) { require_sound(camera); }
-inline void require_sound(const MatrixCamera& camera, Method method) {
-  require_rounding();
-  if (const std::string reason = fault(camera, method); !reason.empty()) throw std::invalid_argument("camera: " + reason);
-}
-
 [[nodiscard]] inline glm::dvec3 eye_of(const Camera& camera) { return camera.eye; }
 [[nodiscard]] inline glm::dvec3 eye_of(const MatrixCamera& camera) { return camera.eye(); }
 

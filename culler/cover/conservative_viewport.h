@@ -3,12 +3,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "camera/frame_view.h"
+#include "cover/eye_moves.h"
+#include "occlude/culler/camera.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -30,6 +33,41 @@ struct BoundedPosition {
   double forward = 0;  ///< how far along the line of sight the point is, as it was found; 0 if nobody knows
 };
 
+/// A position that the eyes of a region move, up to an error: to all that is between low and high.
+struct MovedPosition : BoundedPosition {
+  PixelPosition low, high;
+};
+
+/// A position whose moves are known for all planes in focus.
+struct MovingPosition {
+  BoundedPosition still;  ///< with an error that holds for all
+  double nearness;
+  EyeMoves::Range x, y;  ///< in pixels, for a focus of nearness + 1
+
+  [[nodiscard]] MovedPosition at(double focus) const {
+    const EyeMoves::Range across = x.times(focus - nearness), up = y.times(focus - nearness);
+    const PixelPosition& place = still.place;
+    return {still, {place.x + across.low, place.y + up.low}, {place.x + across.high, place.y + up.high}};
+  }
+};
+
+/// An edge between two such positions: its direction and length in pixels, and the moves of its ends along and across it,
+/// for a focus of the nearness of the end + 1.
+struct MovingEdge {
+  struct End {
+    EyeMoves::Range along, across;
+  };
+  PixelPosition direction;
+  double length;
+  End from, to;
+};
+
+/// A convex quadrangle, and a bound of the error of its corners in each of the two directions.
+struct SweptEdge {
+  std::array<PixelPosition, 4> corners;  ///< in order
+  double error;
+};
+
 /// All positions between two.
 struct PixelBounds {
   PixelPosition low, high;
@@ -39,6 +77,9 @@ struct PixelBounds {
 struct PixelRectangle {
   int x0, y0, x1, y1;
 };
+
+/// Computing a bound takes a few roundings. This factor is more than their error.
+inline constexpr double kBoundRounded = 1 + 0x1p-40;
 
 /// The doubles that are kept here, taken as exact numbers, define which ray meets which pixel. The rays of a pixel form a
 /// convex cone, or a convex beam when they are parallel.
@@ -89,6 +130,25 @@ class ConservativeViewport {
     const PixelPosition place = this->place(seen);
     return {place, place_error(place, seen.forward), seen.forward};
   }
+
+  /// Whether the picture is of several eyes. If it is, it has a plane in focus, at a distance of 1 / focus along the line
+  /// of sight, and a ray from any of the eyes has the position of the ray from eye() that passes the plane at the same
+  /// point. With a focus of 0 it has that of the parallel ray.
+  [[nodiscard]] bool is_of_region() const { return is_of_region_; }
+  /// A focus may be from 0 to this: half of the nearness of what is cut at near(), or less.
+  [[nodiscard]] double most_focus() const { return kMostFocus / near_; }
+  [[nodiscard]] const EyeRegion& eyes() const { return eyes_; }
+  /// How far the eyes reach along the line of sight.
+  [[nodiscard]] double eyes_forward() const { return eyes_forward_; }
+  /// How far the eyes reach along a direction in the axes of the picture.
+  [[nodiscard]] double reach(const glm::dvec3& direction) const {
+    return kBoundRounded * eyes_.reach(direction.x * right_ + direction.y * up_ + direction.z * forward_);
+  }
+  [[nodiscard]] MovingPosition moving(const EyePoint& seen) const;
+  [[nodiscard]] MovingEdge moving(const BoundedPosition& from, const BoundedPosition& to) const;
+  /// Where the edge may be, from any of the eyes.
+  [[nodiscard]] SweptEdge swept(const MovingEdge& edge, const BoundedPosition& from, const BoundedPosition& to,
+                                double focus) const;
   /// Bounds the error of every position of an edge that may be in the picture, wherever the edge exactly is. At most the
   /// larger error of its ends. It is less where the edge leaves the picture towards an end that is near the eye.
   [[nodiscard]] double edge_error(const BoundedPosition& a, const BoundedPosition& b) const {
@@ -124,8 +184,12 @@ class ConservativeViewport {
  private:
   /// In pixels. An edge that is off by no more is left as it is: a smaller bound would close hardly more pixels.
   static constexpr double kSmallError = 1;
+  /// What is nearer than eight times the distance of the cut hides as much with this focus as with its own.
+  static constexpr double kMostFocus = 1.0 / 8;
 
   [[nodiscard]] double error_in_picture(const BoundedPosition& a, const BoundedPosition& b) const;
+  [[nodiscard]] EyeMoves::Range moves(const PixelPosition& direction, const BoundedPosition& position) const;
+  [[nodiscard]] double moved_error(const MovingPosition& position) const;
 
   glm::dvec3 eye_{}, right_{}, up_{}, forward_{};
   bool is_perspective_ = true;
@@ -136,13 +200,14 @@ class ConservativeViewport {
   bool is_oblique_ = false;
   glm::dvec3 near_normal_{};
   double near_distance_ = 0;  ///< as in FrameView
+  EyeRegion eyes_;
+  bool is_of_region_ = false;
+  double eyes_forward_ = 0, eyes_aside_ = 0;
+  EyeMoves eye_moves_;
 };
 
 /// The four roundings of a position, 2^-53 each, and those where it is used. The most are in CoverBorder::turn(), 40.
 inline constexpr double kPlaceError = 0x1p-47;
-
-/// Computing a bound takes a few roundings. This factor is more than their error.
-inline constexpr double kBoundRounded = 1 + 0x1p-40;
 
 /// The pixel that holds a position. -1 and `count` stand for everything beside the picture.
 [[nodiscard]] inline int pixel_at(double x, int count) {

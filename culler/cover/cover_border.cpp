@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -42,6 +43,14 @@ struct EdgePart {
   float error, wide;  ///< bounds of its vertical and its horizontal error
   int row0, row1;     ///< rows of the picture to draw
   float left, right;  ///< columns to draw
+};
+
+/// A convex quadrangle. Each side starts at (x, y), goes right by `slope` for each row upwards, and is `rise` rows high.
+struct QuadrangleRows {
+  std::array<double, 4> x, y, slope, rise;
+  double error, wide;  ///< bounds of their vertical and their horizontal error
+  int row0, row1;      ///< rows of the picture to draw
+  double left, right;  ///< columns to draw
 };
 
 /// An edge as a function of columns: its height in the middle of the first one, and the change for each further one.
@@ -118,6 +127,41 @@ void touch(const BorderTiles& tiles, const EdgePart& edge) {
   }
 }
 
+/// In each row, touches what is between the sides. In floats, a side that leads far beyond the tiles would be too inexact.
+void fill(const BorderTiles& tiles, const QuadrangleRows& q) {
+  const hn::CappedTag<double, kTile> d;
+  const hn::Rebind<std::int32_t, decltype(d)> to;
+  const auto zero = hn::Zero(d), infinity = hn::Inf(d), error = hn::Set(d, q.error), wide = hn::Set(d, q.wide);
+  const auto left = hn::Set(d, q.left), right = hn::Set(d, q.right), one = hn::Set(d, 1.0);
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  for (int y = q.row0 & -kTile; y < q.row1; y += kTile) {
+    std::int32_t first[kTile], end[kTile];
+    for (int i = 0; i < kTile; i += lanes) {
+      const auto row = hn::Add(hn::Set(d, static_cast<double>(y + i)), hn::Iota(d, 0));
+      auto low = infinity, high = hn::Neg(infinity);
+      for (std::size_t s = 0; s < 4; ++s) {
+        const auto from = hn::Sub(hn::Sub(row, hn::Set(d, q.y[s])), error);
+        const auto upto = hn::Add(hn::Add(hn::Sub(row, hn::Set(d, q.y[s])), one), error);
+        const auto rise = hn::Set(d, q.rise[s]), slope = hn::Set(d, q.slope[s]), x = hn::Set(d, q.x[s]);
+        const auto is_there = hn::And(hn::Ge(upto, zero), hn::Le(from, rise));
+        const auto a = hn::Add(x, hn::Mul(clamp(from, zero, rise), slope));
+        const auto b = hn::Add(x, hn::Mul(clamp(upto, zero, rise), slope));
+        low = hn::IfThenElse(is_there, hn::Min(low, hn::Min(a, b)), low);
+        high = hn::IfThenElse(is_there, hn::Max(high, hn::Max(a, b)), high);
+      }
+      const auto is_drawn = hn::And(hn::Le(low, high), hn::And(hn::Ge(row, hn::Set(d, static_cast<double>(q.row0))),
+                                                               hn::Lt(row, hn::Set(d, static_cast<double>(q.row1)))));
+      low = hn::IfThenElse(is_drawn, clamp(hn::Sub(low, wide), left, right), right);
+      high = hn::IfThenElse(is_drawn, clamp(hn::Add(hn::Add(high, wide), one), left, right), left);
+      hn::StoreU(hn::DemoteTo(to, low), to, first + i);
+      hn::StoreU(hn::DemoteTo(to, high), to, end + i);
+    }
+    for (int i = 0; i < kTile; i += static_cast<int>(hn::Lanes(kDi))) {
+      touch_rows(tiles, y + i, hn::LoadU(kDi, first + i), hn::LoadU(kDi, end + i));
+    }
+  }
+}
+
 /// Turns in each column the first pixel whose middle is above the edge.
 void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
   // In floats a turn could come some rows beyond the end of an edge that is millions of pixels long.
@@ -164,6 +208,7 @@ HWY_AFTER_NAMESPACE();
 namespace occlude::culler {
 namespace {
 HWY_EXPORT(touch);
+HWY_EXPORT(fill);
 HWY_EXPORT(turn);
 
 /// The pixels with an odd number of turns among them and those below them.
@@ -192,6 +237,19 @@ void CoverBorder::begin(const ConservativeViewport& picture, const PixelRectangl
 
 void CoverBorder::draw(const BoundedPosition& from, const BoundedPosition& to) {
   touch(from, to);
+  turn(from, to);
+}
+
+/// Each end is within its own error of where the eyes move it, and the edge is between them.
+void CoverBorder::draw(const MovedPosition& from, const MovedPosition& to, const SweptEdge& swept) {
+  CoverOutline::Extent extent;
+  extent.hold(from);
+  extent.hold(to);
+  if (extent.may_meet(pixels_)) touch(swept, {extent.low, extent.high});
+  turn(from, to);
+}
+
+void CoverBorder::turn(const BoundedPosition& from, const BoundedPosition& to) {
   if (from.place.x <= to.place.x) {
     turn(from.place, to.place);
   } else {
@@ -201,10 +259,11 @@ void CoverBorder::draw(const BoundedPosition& from, const BoundedPosition& to) {
 
 /// Each end is within its own error of where it was found, and the edge is between them.
 bool CoverBorder::may_touch(const BoundedPosition& from, const BoundedPosition& to) const {
-  CoverOutline::Extent extent;
-  extent.hold(from);
-  extent.hold(to);
-  return extent.may_meet(pixels_);
+  const auto beside = [](double a, double a_error, double b, double b_error, double low, double high) {
+    return (a + a_error < low && b + b_error < low) || (a - a_error > high && b - b_error > high);
+  };
+  return !beside(from.place.x, from.error, to.place.x, to.error, pixels_.x0, pixels_.x1) &&
+         !beside(from.place.y, from.error, to.place.y, to.error, pixels_.y0, pixels_.y1);
 }
 
 void CoverBorder::touch(const BoundedPosition& from, const BoundedPosition& to) {
@@ -227,6 +286,32 @@ void CoverBorder::touch(const BoundedPosition& from, const BoundedPosition& to) 
   ({drawn_.data(), tiles_across_, border_},
    {low.y, static_cast<float>(low.x), static_cast<float>((high.x - low.x) / rise), static_cast<float>(rise),
     rounded_up(error), rounded_up(wide), row0, row1, static_cast<float>(pixels_.x0), static_cast<float>(pixels_.x1)});
+}
+
+/// Touches what is in the quadrangle and within the bounds.
+void CoverBorder::touch(const SweptEdge& edge, const PixelBounds& within) {
+  QuadrangleRows q{};
+  double low = edge.corners[0].y, high = low, size = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const PixelPosition &a = edge.corners[i], &b = edge.corners[(i + 1) % 4];
+    const PixelPosition &from = a.y <= b.y ? a : b, &to = a.y <= b.y ? b : a;
+    q.x[i] = from.x;
+    q.y[i] = from.y;
+    q.rise[i] = std::max(to.y - from.y, kLeastRise);
+    q.slope[i] = (to.x - from.x) / q.rise[i];
+    low = std::min(low, a.y);
+    high = std::max(high, a.y);
+    size = std::max(size, std::fabs(a.x) + std::fabs(a.y));
+  }
+  // In units of 2^-53 of the size, a distance of rows rounds by 3, and a position on a side by 10. A side that is nearly
+  // level gets a rise of kLeastRise, which is part of the error.
+  q.error = edge.error + kLeastRise + 0x1p-48 * size;
+  q.wide = edge.error + 0x1p-48 * size;
+  q.row0 = std::max(pixel_at(std::max(low - q.error, within.low.y), picture_.height()), pixels_.y0);
+  q.row1 = std::min(pixel_at(std::min(high + kLeastRise + q.error, within.high.y), picture_.height()) + 1, pixels_.y1);
+  q.left = std::max(pixel_at(within.low.x, picture_.width()), pixels_.x0);
+  q.right = std::min(pixel_at(within.high.x, picture_.width()) + 1, pixels_.x1);
+  if (q.row0 < q.row1 && q.left < q.right) HWY_DYNAMIC_DISPATCH(fill)({drawn_.data(), tiles_across_, border_}, q);
 }
 
 /// Turns the columns whose middle is beyond a.x and not beyond b.x. Their heights round ten times, by 2^-53 of what is below

@@ -26,6 +26,8 @@ class CoverBorder {
   /// Draws an edge. Pixels are touched that come as near to it as ConservativeViewport::edge_error(), if it may be in the
   /// tiles at all. REQUIRES: the errors are those of ConservativeViewport::place_error() or larger.
   void draw(const BoundedPosition& from, const BoundedPosition& to);
+  /// The same in a picture of several eyes: pixels are touched that come as near to the swept edge as its error.
+  void draw(const MovedPosition& from, const MovedPosition& to, const SweptEdge& swept);
 
   /// Finds the closed pixels of the tiles: those that the border does not touch, and whose middle it encloses an odd number
   /// of times. REQUIRES: the border is one or several closed curves.
@@ -34,6 +36,8 @@ class CoverBorder {
  private:
   [[nodiscard]] bool may_touch(const BoundedPosition& from, const BoundedPosition& to) const;
   void touch(const BoundedPosition& from, const BoundedPosition& to);
+  void touch(const SweptEdge& edge, const PixelBounds& within);
+  void turn(const BoundedPosition& from, const BoundedPosition& to);
   void turn(const PixelPosition& a, const PixelPosition& b);
 
   ConservativeViewport picture_;

@@ -16,6 +16,20 @@ namespace {
 /// large it hides more: two fifths of a globe instead of a quarter.
 constexpr double kBorder = 1.0 / 6;
 
+/// Layers of a picture of several eyes. Ten cull nearly as much as any larger number, in less time. What the eyes move
+/// things by is proportional to the difference of nearnesses, and more things are far than near. So they are closer to each
+/// other where they are farther away: at the squares of equal steps.
+FocusLayers layers_of(const ConservativeViewport& picture) {
+  FocusLayers layers;
+  if (!picture.is_of_region()) return layers;
+  layers.count = 10;
+  for (std::size_t k = 0; k < layers.count; ++k) {
+    const double step = static_cast<double>(k) / static_cast<double>(layers.count - 1);
+    layers.focus[k] = rounded_down(picture.most_focus() * step * step);
+  }
+  return layers;
+}
+
 constexpr float kOpen = -std::numeric_limits<float>::infinity();
 
 }  // namespace
@@ -27,13 +41,19 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   tiles_across_ = width / kTile;
   // With a margin that is negative or not a number, nothing is hidden. Pixels need not be square.
   const double up = margin >= 0 ? margin * (height - 2 * border) : std::numeric_limits<double>::infinity();
-  boxes_ = BoxPicture(picture_, {up * (picture_.scale().x / picture_.scale().y), up});
+  boxes_ = BoxPicture(picture_, {up * (picture_.scale().x / picture_.scale().y), up}, layers_of(picture_));
   const double share = 1 / (height - 2 * border);
   share_of_pixel_ = {share * (picture_.scale().y / picture_.scale().x), share};
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  nearness_.assign(pixels, kOpen);
-  farthest_.assign(pixels / kTilePixels + kTile, kOpen);
+  const FocusLayers& layers = boxes_.layers;
+  nearness_.clear();
+  farthest_.clear();
+  for (std::size_t layer = 0; layer < layers.count; ++layer) {
+    nearness_.resize(nearness_.size() + pixels, layers.start(layer));
+    farthest_.resize(farthest_.size() + pixels / kTilePixels, layers.start(layer));
+  }
+  farthest_.resize(farthest_.size() + kTile, kOpen);
   owners_.clear();
 }
 
@@ -41,6 +61,18 @@ void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
 
 void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
   rasteriser_.project(mesh);
+  if (!is_of_region()) return add_layer(id);
+  for (std::size_t layer = 0; layer < boxes_.layers.count; ++layer) {
+    if (!(rasteriser_.nearest_of_mesh() > boxes_.layers.start(layer))) continue;
+    first_tile_ = layer * static_cast<std::size_t>(boxes_.tiles_of_layer);
+    rasteriser_.focus(boxes_.layers.focus[layer]);
+    add_layer(id);
+  }
+  first_tile_ = 0;
+}
+
+/// Into the layer that begins with first_tile_.
+void CoverBuffer::add_layer(std::uint32_t id) {
   for (std::size_t sheet = 0; sheet < rasteriser_.sheets() && !is_spent(); ++sheet) {
     if (!rasteriser_.find(sheet)) continue;
     const PixelRectangle& r = rasteriser_.tiles();
@@ -52,15 +84,16 @@ void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
 void CoverBuffer::add_sheet(const PixelRectangle& tiles, std::uint32_t id) {
   rasteriser_.rasterise_depth(tiles);
   work_ += rasteriser_.work();
-  const auto left = tiles_nearer(tiles, [&](std::size_t tile) { return rasteriser_.nearness() + tile; });
+  const auto left = tiles_nearer(tiles, [&](std::size_t tile) { return rasteriser_.nearness() + (tile - first_tile_); });
   if (!left) return;
   rasteriser_.draw(*left);
   const auto across = static_cast<std::size_t>(left->x1 - left->x0);
   for (int y = left->y0; y < left->y1; ++y) {
     const std::size_t first = tile_at(left->x0, y);
     if (!owners_.empty()) own(first, across, id);
-    bring_nearer(&nearness_[first * kTilePixels], std::span(farthest_).subspan(first, across), rasteriser_.closed() + first,
-                 rasteriser_.nearness() + first);
+    const std::size_t in_layer = first - first_tile_;
+    bring_nearer(&nearness_[first * kTilePixels], std::span(farthest_).subspan(first, across),
+                 rasteriser_.closed() + in_layer, rasteriser_.nearness() + in_layer);
   }
 }
 
@@ -83,11 +116,11 @@ std::optional<PixelRectangle> CoverBuffer::tiles_nearer(const PixelRectangle& r,
 /// Notes which pixels of tiles that lie side by side the piece will bring nearer.
 void CoverBuffer::own(std::size_t first, std::size_t count, std::uint32_t id) {
   for (std::size_t tile = first; tile < first + count; ++tile) {
-    const float nearness = rasteriser_.nearness()[tile];
+    const float nearness = rasteriser_.nearness()[tile - first_tile_];
     if (nearness == std::numeric_limits<float>::infinity()) continue;  // it is not there
     for (std::size_t i = 0; i < kTilePixels; ++i) {
       const std::size_t pixel = tile * kTilePixels + i;
-      if ((rasteriser_.closed()[tile] >> i & 1U) != 0 && nearness > nearness_[pixel]) owners_[pixel] = id;
+      if ((rasteriser_.closed()[tile - first_tile_] >> i & 1U) != 0 && nearness > nearness_[pixel]) owners_[pixel] = id;
     }
   }
 }
@@ -99,12 +132,12 @@ ProjectedBoxes CoverBuffer::seen(const kernel::Aabb& box) const {
   return boxes;
 }
 
-CoverBuffer::Footprint CoverBuffer::footprint(const ProjectedBoxes& boxes, std::size_t i) const {
+CoverBuffer::Footprint CoverBuffer::footprint(const BoxPixels& boxes, std::size_t i) const {
   const float most = boxes.most[i];
   const PixelRectangle r{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]}, all{0, 0, picture_.width(), picture_.height()};
-  if (most == std::numeric_limits<float>::infinity()) return {all, most, false};
+  if (most == std::numeric_limits<float>::infinity()) return {all, most, false, boxes.first_tile[i]};
   const bool is_in_picture = r.x0 >= 0 && r.y0 >= 0 && r.x1 <= all.x1 && r.y1 <= all.y1;
-  return {picture_.clipped(r), most, is_in_picture};
+  return {picture_.clipped(r), most, is_in_picture, boxes.first_tile[i]};
 }
 
 float CoverBuffer::seen_size(const ProjectedBoxes& boxes, std::size_t i) const {
@@ -117,22 +150,31 @@ float CoverBuffer::seen_size(const ProjectedBoxes& boxes, std::size_t i) const {
 bool CoverBuffer::hides(const Footprint& box) const { return box.is_in_picture && open(box, 1) == 0; }
 
 CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
-  const Footprint footprint = this->footprint(box);
+  const ProjectedBoxes boxes = seen(box);
+  if (hidden(boxes, 1) != 0) return Gap::none;
+  const Footprint footprint = this->footprint(boxes, 0);
   if (!footprint.is_in_picture) return Gap::beyond_picture;
-  if (hides(footprint)) return Gap::none;
-  return open_pixels(tile_picture(), footprint.pixels, std::numeric_limits<float>::lowest(), 1) > 0 ? Gap::open
-                                                                                                    : Gap::not_behind;
+  const TilePicture layer = tile_picture().from(footprint.first_tile);
+  const float never = boxes_.layers.start(static_cast<std::size_t>(footprint.first_tile / boxes_.tiles_of_layer));
+  return open_pixels(layer, footprint.pixels, std::max(never, std::numeric_limits<float>::lowest()), 1) > 0
+             ? Gap::open
+             : Gap::not_behind;
 }
 
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
   const ProjectedBoxes boxes = seen(box);
-  const PixelPosition low{boxes.low_x[0], boxes.low_y[0]}, high{boxes.high_x[0], boxes.high_y[0]};
-  const PixelRectangle r = footprint(boxes, 0).pixels;
+  const bool is_of_nearer_layer = is_of_region() && !hides(footprint(boxes, 0));
+  const Footprint at = footprint(is_of_nearer_layer ? boxes.nearer_layer : boxes, 0);
+  const PixelRectangle& r = at.pixels;
+  // Of several eyes, the margin is not told from what they move the box by.
+  const PixelPosition low = is_of_region() ? PixelPosition{0, 0} : PixelPosition{boxes.low_x[0], boxes.low_y[0]};
+  const PixelPosition high =
+      is_of_region() ? PixelPosition{boxes_.width, boxes_.height} : PixelPosition{boxes.high_x[0], boxes.high_y[0]};
   std::vector<Owner> runs;
   for (int y = r.y0; y < r.y1; ++y) {
     std::uint32_t last = kNone;
     for (int x = r.x0; x < r.x1; ++x) {
-      const std::size_t tile = tile_at(x / kTile, y / kTile);
+      const std::size_t tile = static_cast<std::size_t>(at.first_tile) + tile_at(x / kTile, y / kTile);
       const std::uint32_t id = owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
       const PixelBounds pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
                               {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};

@@ -36,8 +36,11 @@ class CoverBuffer {
   /// Reserves memory for meshes of this many triangles.
   void reserve(std::size_t triangles) { rasteriser_.reserve(triangles); }
 
+  /// Whether it is of several eyes. Then it has several layers, and each box asks two of them.
+  [[nodiscard]] bool is_of_region() const { return picture_.is_of_region(); }
+
   /// Whether all the work that a picture may take is done. From then on add() closes nothing.
-  [[nodiscard]] bool is_spent() const { return work_ > kMostWork; }
+  [[nodiscard]] bool is_spent() const { return work_ > kMostWork * boxes_.layers.count; }
 
   /// From now on, keeps for each pixel the mesh that last brought it nearer.
   void keep_owners();
@@ -50,13 +53,14 @@ class CoverBuffer {
     PixelRectangle pixels;  ///< those that it touches, with the margin
     float most;             ///< no point of it is nearer
     bool is_in_picture;     ///< all of it is, and beyond the near plane
+    int first_tile = 0;     ///< of the layer
 
     /// How many pixels it has.
     [[nodiscard]] int size() const { return std::max(pixels.x1 - pixels.x0, 0) * std::max(pixels.y1 - pixels.y0, 0); }
   };
   [[nodiscard]] Footprint footprint(const kernel::Aabb& box) const { return footprint(seen(box), 0); }
   /// The footprint of box i of those that were seen in box_picture().
-  [[nodiscard]] Footprint footprint(const ProjectedBoxes& boxes, std::size_t i) const;
+  [[nodiscard]] Footprint footprint(const BoxPixels& boxes, std::size_t i) const;
   [[nodiscard]] const BoxPicture& box_picture() const { return boxes_; }
   /// No less than the width and the height of box i in the picture, as a share of the height of the camera's picture;
   /// infinity if its position is unknown.
@@ -65,11 +69,16 @@ class CoverBuffer {
   /// True only if each point of the box has a point of one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. False for a box that reaches beyond the picture or before the near plane. REQUIRES: the box is no farther
   /// from the eye than the depth of the view.
-  [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
+  [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hidden(seen(box), 1) != 0; }
   [[nodiscard]] bool hides(const Footprint& box) const;
   /// Those of the asked boxes that are hidden.
   [[nodiscard]] kernel::BoxBits hidden(const BoxPixels& boxes, kernel::BoxBits asked) const {
     return culler::hidden(tile_picture(), boxes, asked);
+  }
+  [[nodiscard]] kernel::BoxBits hidden(const ProjectedBoxes& boxes, kernel::BoxBits asked) const {
+    const kernel::BoxBits found = hidden(static_cast<const BoxPixels&>(boxes), asked);
+    if (!is_of_region() || found == asked) return found;
+    return static_cast<kernel::BoxBits>(found | hidden(boxes.nearer_layer, static_cast<kernel::BoxBits>(asked & ~found)));
   }
   /// Why the box is not hidden; `none` if it is.
   enum class Gap { none, beyond_picture, open, not_behind };
@@ -78,7 +87,7 @@ class CoverBuffer {
   /// How many of the pixels that the box touches do not hide it. Counting stops at `enough`. A box in the picture is hidden
   /// if the result is 0.
   [[nodiscard]] int open(const Footprint& box, int enough) const {
-    return open_pixels(tile_picture(), box.pixels, box.most, enough);
+    return open_pixels(tile_picture().from(box.first_tile), box.pixels, box.most, enough);
   }
 
   /// A mesh that closes pixels of a box, and the rectangle of positions that holds these pixels as far as the box may reach.
@@ -94,13 +103,17 @@ class CoverBuffer {
   [[nodiscard]] const SheetRasteriser& piece() const { return rasteriser_; }
 
  private:
-  /// The tiles of sheets and triangles that a picture may take. A tile takes some nanoseconds, so this is about a tenth of a
-  /// second. The models tried take a tenth of it.
+  /// The tiles of sheets and triangles that a layer of a picture may take. A tile takes some nanoseconds, so this is about a
+  /// tenth of a second. The models tried take a tenth of it.
   static constexpr std::size_t kMostWork = std::size_t{1} << 24U;
 
-  [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
+  /// In the layer that is being drawn.
+  [[nodiscard]] std::size_t tile_at(int x, int y) const {
+    return first_tile_ + static_cast<std::size_t>(y * tiles_across_ + x);
+  }
   template <class NearnessFrom>
   [[nodiscard]] std::optional<PixelRectangle> tiles_nearer(const PixelRectangle& r, const NearnessFrom& nearness_from) const;
+  void add_layer(std::uint32_t id);
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void own(std::size_t first, std::size_t count, std::uint32_t id);
   [[nodiscard]] TilePicture tile_picture() const {
@@ -114,8 +127,9 @@ class CoverBuffer {
   BoxPicture boxes_;              ///< with the margin
   SheetRasteriser rasteriser_;
   int tiles_across_ = 0;
+  std::size_t first_tile_ = 0;
   std::size_t work_ = 0;
-  std::vector<float> nearness_;        ///< of each pixel, tile after tile; -infinity while it is open
+  std::vector<float> nearness_;        ///< of each pixel, layer after layer, tile after tile; -infinity while it is open
   std::vector<float> farthest_;        ///< of each tile, the least nearness of its pixels
   std::vector<std::uint32_t> owners_;  ///< ids in the order of nearness_; empty unless they are kept
 };

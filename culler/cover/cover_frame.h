@@ -79,7 +79,7 @@ class CoverFrame {
     BoxPixels boxes;
     for (const SeenLeaf& leaf : leaves) {
       const CoverBuffer::Footprint& at = leaf.footprint;
-      boxes.add(at.pixels, at.is_in_picture ? at.most : kUnknown);
+      boxes.add(at.pixels, at.is_in_picture ? at.most : kUnknown, at.first_tile);
     }
     result_.stats.cover_tests += leaves.size();
     const kernel::BoxBits hidden = buffer_.hidden(boxes, boxes.all());

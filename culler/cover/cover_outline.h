@@ -14,7 +14,7 @@ namespace occlude::culler {
 
 /// A vertex in the picture.
 struct CoverVertex {
-  BoundedPosition corner;
+  MovedPosition corner;
   float nearness;  ///< a lower bound
 };
 
@@ -28,13 +28,13 @@ struct CoverLoop {
 
 /// Where a loop is in the picture.
 struct CoverOutline {
-  /// The smallest upright rectangle around positions and their errors.
+  /// The smallest upright rectangle around positions, with their errors and as they are moved.
   struct Extent {
     PixelPosition low{kNone, kNone}, high{-kNone, -kNone};
 
-    void hold(const BoundedPosition& corner) {
-      low = {std::min(low.x, corner.place.x - corner.error), std::min(low.y, corner.place.y - corner.error)};
-      high = {std::max(high.x, corner.place.x + corner.error), std::max(high.y, corner.place.y + corner.error)};
+    void hold(const MovedPosition& corner) {
+      low = {std::min(low.x, corner.low.x - corner.error), std::min(low.y, corner.low.y - corner.error)};
+      high = {std::max(high.x, corner.high.x + corner.error), std::max(high.y, corner.high.y + corner.error)};
     }
     void hold(const Extent& other) {
       low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};

@@ -102,7 +102,8 @@ class Boxes {
         x0_(hn::LoadU(kIntegers, &boxes.x0[first])),
         y0_(hn::LoadU(kIntegers, &boxes.y0[first])),
         x1_(hn::LoadU(kIntegers, &boxes.x1[first])),
-        y1_(hn::LoadU(kIntegers, &boxes.y1[first])) {}
+        y1_(hn::LoadU(kIntegers, &boxes.y1[first])),
+        first_tile_(hn::LoadU(kIntegers, &boxes.first_tile[first])) {}
 
   /// Those that are in the picture and beyond the near plane.
   [[nodiscard]] Mask in_picture() const {
@@ -145,7 +146,7 @@ class Boxes {
   static Integers tile(Integers pixel) { return hn::ShiftRight<kTileBits>(pixel); }
   static Integers in_tile(Integers pixel) { return hn::And(pixel, hn::Set(kIntegers, kTile - 1)); }
   [[nodiscard]] Integers tile_index(Integers across, Integers up) const {
-    return hn::Add(hn::Mul(up, hn::Set(kIntegers, picture_.tiles_across)), across);
+    return hn::Add(first_tile_, hn::Add(hn::Mul(up, hn::Set(kIntegers, picture_.tiles_across)), across));
   }
 
   /// Those of the asked boxes that are open in their first or last pixel of a row.
@@ -169,7 +170,7 @@ class Boxes {
 
   const TilePicture& picture_;
   Floats most_;
-  Integers x0_, y0_, x1_, y1_;
+  Integers x0_, y0_, x1_, y1_, first_tile_;
 };
 
 /// Those of the asked boxes, a lane each from `first`, that are hidden.
@@ -192,7 +193,8 @@ HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& bo
     const auto lane = static_cast<unsigned>(std::countr_zero(rest));
     const std::size_t i = first + lane;
     const PixelRectangle touched{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]};
-    hidden |= (HWY_NAMESPACE::open_pixels(picture, touched, boxes.most[i], 1) == 0 ? 1U : 0U) << lane;
+    hidden |= (HWY_NAMESPACE::open_pixels(picture.from(boxes.first_tile[i]), touched, boxes.most[i], 1) == 0 ? 1U : 0U)
+              << lane;
   }
   return hidden;
 }

@@ -19,9 +19,14 @@ inline constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
 
 /// The nearness of pixels, stored by tiles.
 struct TilePicture {
-  const float* nearness;  ///< of each pixel, tile after tile
-  const float* farthest;  ///< of each tile, the least nearness of its pixels; readable kTile tiles past the last
-  int tiles_across, tiles_up;
+  const float* nearness;       ///< of each pixel, tile after tile
+  const float* farthest;       ///< of each tile, the least nearness of its pixels; readable kTile tiles past the last
+  int tiles_across, tiles_up;  ///< of one layer
+
+  /// The layer that begins with this tile.
+  [[nodiscard]] TilePicture from(int tile) const {
+    return {nearness + std::size_t(tile) * kTilePixels, farthest + tile, tiles_across, tiles_up};
+  }
 
   [[nodiscard]] int width() const { return kTile * tiles_across; }
   [[nodiscard]] int height() const { return kTile * tiles_up; }

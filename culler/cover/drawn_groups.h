@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "cover/cover_buffer.h"
@@ -21,7 +23,8 @@ class DrawnGroups {
     groups_.back().source = source;
     const auto ids = memory.group.ids();
     for (std::size_t t = 0; t < ids.size(); ++t) {
-      const auto places = memory.buffer.piece().places(t);
+      const std::optional<PixelBounds> places =
+          memory.buffer.is_of_region() ? PixelBounds{{0, 0}, {kEverywhere, kEverywhere}} : memory.buffer.piece().places(t);
       if (places) groups_.back().triangles.push_back({painter.triangles().polygon(ids[t]), *places});
     }
   }
@@ -46,6 +49,9 @@ class DrawnGroups {
     std::uint32_t source = 0;
     std::vector<Triangle> triangles;
   };
+
+  /// What the eyes of a region may move anywhere.
+  static constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
   static bool meet(const PixelBounds& a, const PixelBounds& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;

@@ -21,6 +21,12 @@ struct Opening {
     // Nothing was drawn since it was found not to be hidden, so some pixel is open.
     const bool is_too_small = tested.groups == groups && footprint.size() < enough;
     open = is_too_small ? 1 : buffer.open(footprint, enough);
+    if (!buffer.is_of_region() || open == 0) return;
+    const CoverBuffer::Footprint nearer = buffer.footprint(tested.seen.nearer_layer, i);
+    const int open_there = buffer.open(nearer, enough);
+    if (open_there >= open && footprint.is_in_picture) return;
+    footprint = nearer;
+    open = open_there;
   }
   [[nodiscard]] bool is_hidden() const { return open == 0 && footprint.is_in_picture; }
 };

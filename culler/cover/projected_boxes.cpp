@@ -36,6 +36,9 @@ constexpr float kPlaceError = 0x1p-20F;
 // the distance that divides once, the quotient, its product and the product with this factor once each, the sum of both
 // terms once, and the two sums in which it is used once each.
 constexpr float kBoundRounded = 1 + 0x1p-20F;
+// How far eyes reach is a sum of four products, each with two roundings, of numbers that are rounded once: 7 u of their
+// sum, for which there is a bound of twice its size. The difference of two nearnesses rounds by 3 u of them.
+constexpr float kReachRounded = 0x1p-21F;
 // A box with a larger error, in pixels, is treated as one of unknown position.
 constexpr float kMostError = 0x1p20F;
 
@@ -71,6 +74,94 @@ HWY_INLINE hn::Vec<IntegerTag> pixel(Lanes x, float count) {
   const Lanes one = hn::Set(kD, 1.0F);
   const Lanes within = hn::Min(hn::Max(x, hn::Set(kD, -1.0F)), hn::Set(kD, count));
   return hn::Sub(hn::ConvertTo(IntegerTag(), hn::Add(within, one)), hn::Set(IntegerTag(), 1));
+}
+
+/// Stores the pixels that are between these positions and no farther from them than the error and the margin.
+HWY_INLINE void store_pixels(const BoxPicture& p, const Range& x, const Range& y, BoxPixels& boxes, std::size_t i) {
+  const IntegerTag di;
+  const Lanes wider_x = hn::Set(kD, p.wider_x), wider_y = hn::Set(kD, p.wider_y);
+  const auto next = hn::Set(di, 1);
+  hn::StoreU(pixel(hn::Sub(x.low, wider_x), p.width), di, &boxes.x0[i]);
+  hn::StoreU(pixel(hn::Sub(y.low, wider_y), p.height), di, &boxes.y0[i]);
+  hn::StoreU(hn::Add(pixel(hn::Add(x.high, wider_x), p.width), next), di, &boxes.x1[i]);
+  hn::StoreU(hn::Add(pixel(hn::Add(y.high, wider_y), p.height), next), di, &boxes.y1[i]);
+}
+
+/// The layer whose focus is the farthest not beyond this nearness, as a number of it; and the next nearer one.
+struct Bracket {
+  Lanes far_focus, near_focus, far_layer, near_layer;
+};
+
+HWY_INLINE Bracket bracket_of(const FocusLayers& layers, Lanes nearness) {
+  const Lanes first = hn::Set(kD, layers.focus[0]);
+  Bracket b{first, first, hn::Zero(kD), hn::Zero(kD)};
+  // From near to far, so that near_focus is the least that is nearer.
+  const Lanes last = hn::Set(kD, layers.focus[layers.count - 1]);
+  b.near_focus = last;
+  b.near_layer = hn::Set(kD, static_cast<float>(layers.count - 1));
+  for (std::size_t k = layers.count; k-- > 0;) {
+    const Lanes focus = hn::Set(kD, layers.focus[k]), layer = hn::Set(kD, static_cast<float>(k));
+    const auto is_nearer = hn::Gt(focus, nearness);
+    b.near_focus = hn::IfThenElse(is_nearer, focus, b.near_focus);
+    b.near_layer = hn::IfThenElse(is_nearer, layer, b.near_layer);
+  }
+  for (std::size_t k = 0; k < layers.count; ++k) {
+    const Lanes focus = hn::Set(kD, layers.focus[k]), layer = hn::Set(kD, static_cast<float>(k));
+    const auto is_beyond = hn::Le(focus, nearness);
+    b.far_focus = hn::IfThenElse(is_beyond, focus, b.far_focus);
+    b.far_layer = hn::IfThenElse(is_beyond, layer, b.far_layer);
+  }
+  return b;
+}
+
+/// How far the eyes reach along (1, 0, -slope) or (0, 1, -slope) in the axes of the picture.
+HWY_INLINE Lanes reach_of(const BoxPicture& p, std::size_t axis, Lanes slope) {
+  const std::array<float, 3>& ball = axis == 0 ? p.right_of_ball : p.up_of_ball;
+  const Lanes at_middle = hn::Set(kD, ball[0]), once = hn::Mul(slope, hn::Set(kD, ball[1])),
+              twice = hn::Mul(hn::Mul(slope, slope), hn::Set(kD, ball[2]));
+  const Lanes size = hn::Add(hn::Add(at_middle, hn::Abs(once)), twice);
+  const Lanes square = hn::Add(hn::Add(hn::Add(at_middle, once), twice), hn::Mul(size, hn::Set(kD, kReachRounded)));
+  Lanes reach = hn::Sqrt(hn::Max(square, hn::Zero(kD)));
+  for (const std::array<float, 3>& h : p.half_edges) {
+    reach = hn::Add(reach, hn::Abs(hn::Sub(hn::Set(kD, h[axis]), hn::Mul(slope, hn::Set(kD, h[2])))));
+  }
+  return hn::Add(reach, hn::Mul(hn::Set(kD, kReachRounded * p.eyes_reach), hn::Add(hn::Set(kD, 1.0F), hn::Abs(slope))));
+}
+
+/// Where the boxes are in the layer with this focus: each corner is moved by the eyes. `error` is that of the positions
+/// from the middle of the eyes.
+HWY_INLINE void store_layer(const BoxPicture& p, const Corners& right, const Corners& up, const Corners& forward,
+                            Lanes moved, Lanes error, Lanes focus, Lanes layer, BoxPixels& boxes, std::size_t i) {
+  const Lanes one = hn::Set(kD, 1.0F), infinity = hn::Inf(kD), ahead = hn::Set(kD, p.eyes_forward);
+  Range x{infinity, hn::Neg(infinity)}, y = x;
+  Lanes most_share = hn::Zero(kD);
+  for (int c = 0; c < 8; ++c) {
+    const Lanes shrink = hn::Div(one, forward.at[c]);
+    const Lanes slope_x = hn::Mul(right.at[c], shrink), slope_y = hn::Mul(up.at[c], shrink);
+    const Lanes nearest = hn::Sub(forward.at[c], moved), nearness = hn::Div(one, nearest);
+    // The nearness is between that and less by 2 moved / nearest of itself.
+    const Lanes inexact = hn::Add(hn::Mul(nearness, hn::Mul(hn::Set(kD, 2.0F), hn::Mul(moved, nearness))),
+                                  hn::Mul(hn::Add(nearness, focus), hn::Set(kD, kReachRounded)));
+    const Lanes share = hn::Mul(hn::Mul(hn::Add(hn::Abs(hn::Sub(focus, nearness)), inexact), hn::Set(kD, kBoundRounded)),
+                                hn::Div(nearest, hn::Sub(nearest, ahead)));
+    most_share = hn::Max(most_share, share);
+    const Lanes move_x = hn::Mul(share, reach_of(p, 0, slope_x)), move_y = hn::Mul(share, reach_of(p, 1, slope_y));
+    x.hold(hn::Sub(slope_x, move_x));
+    x.hold(hn::Add(slope_x, move_x));
+    y.hold(hn::Sub(slope_y, move_y));
+    y.hold(hn::Add(slope_y, move_y));
+  }
+  const Lanes wider = hn::Mul(error, hn::Add(hn::Set(kD, kBoundRounded), hn::Mul(most_share, ahead)));
+  const auto place = [&](const Range& range, float scale, float middle) {
+    const Lanes low = hn::Mul(range.low, hn::Set(kD, scale)), high = hn::Mul(range.high, hn::Set(kD, scale));
+    const Lanes rounded =
+        hn::Mul(hn::Add(hn::Max(hn::Abs(low), hn::Abs(high)), hn::Set(kD, p.width + p.height)), hn::Set(kD, kPlaceError));
+    const Lanes all = hn::Add(wider, rounded), at = hn::Set(kD, middle);
+    return Range{hn::Sub(hn::Add(at, low), all), hn::Add(hn::Add(at, high), all)};
+  };
+  store_pixels(p, place(x, p.scale_x, p.middle_x), place(y, p.scale_y, p.middle_y), boxes, i);
+  const IntegerTag di;
+  hn::StoreU(hn::Mul(hn::ConvertTo(di, layer), hn::Set(di, p.tiles_of_layer)), di, &boxes.first_tile[i]);
 }
 
 template <bool is_perspective>
@@ -120,18 +211,22 @@ HWY_INLINE void project_lanes(const BoxPicture& p, ProjectedBoxes& boxes, std::s
   hn::StoreU(high_x, kD, &boxes.high_x[i]);
   hn::StoreU(high_y, kD, &boxes.high_y[i]);
 
-  const IntegerTag di;
-  const Lanes wider_x = hn::Set(kD, p.wider_x), wider_y = hn::Set(kD, p.wider_y);
-  const auto next = hn::Set(di, 1);
-  hn::StoreU(pixel(hn::Sub(low_x, wider_x), p.width), di, &boxes.x0[i]);
-  hn::StoreU(pixel(hn::Sub(low_y, wider_y), p.height), di, &boxes.y0[i]);
-  hn::StoreU(hn::Add(pixel(hn::Add(high_x, wider_x), p.width), next), di, &boxes.x1[i]);
-  hn::StoreU(hn::Add(pixel(hn::Add(high_y, wider_y), p.height), next), di, &boxes.y1[i]);
+  store_pixels(p, {low_x, high_x}, {low_y, high_y}, boxes, i);
 
   // False if one of them is NaN.
   const auto is_known = hn::And(hn::Gt(least, hn::Set(kD, p.near)), hn::Lt(error, hn::Set(kD, kMostError)));
   const Lanes nearness = is_perspective ? hn::Div(one, least) : hn::Neg(least);
-  hn::StoreU(hn::IfThenElse(is_known, larger_than(nearness, 0x1p-21F), infinity), kD, &boxes.most[i]);
+  const Lanes most = hn::IfThenElse(is_known, larger_than(nearness, 0x1p-21F), infinity);
+  hn::StoreU(most, kD, &boxes.most[i]);
+  if constexpr (is_perspective) {
+    if (p.is_of_region) {
+      const Bracket bracket = bracket_of(p.layers, most);
+      store_layer(p, right, up, forward, moved, error, bracket.far_focus, bracket.far_layer, boxes, i);
+      store_layer(p, right, up, forward, moved, error, bracket.near_focus, bracket.near_layer, boxes.nearer_layer, i);
+      hn::StoreU(most, kD, &boxes.nearer_layer.most[i]);
+      boxes.nearer_layer.size = boxes.size;
+    }
+  }
   hn::StoreU(is_perspective ? squared : nearest, kD, &boxes.distance[i]);
 }
 
@@ -169,6 +264,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "base/rounded_float.h"
+#include "cover/cover_tile.h"
 
 namespace occlude::culler {
 namespace {
@@ -184,7 +280,7 @@ std::array<float, 3> to_floats(const glm::dvec3& v) {
 }
 }  // namespace
 
-BoxPicture::BoxPicture(const ConservativeViewport& picture, const PixelPosition& margin)
+BoxPicture::BoxPicture(const ConservativeViewport& picture, const PixelPosition& margin, const FocusLayers& in_focus)
     : eye(picture.eye()),
       is_perspective(picture.is_perspective()),
       right(to_floats(picture.right())),
@@ -199,7 +295,24 @@ BoxPicture::BoxPicture(const ConservativeViewport& picture, const PixelPosition&
       near(rounded_up(picture.near())),
       moved(static_cast<float>(picture.error() + picture.rounding() + kUnderflow)),
       wider_x(rounded_up(margin.x)),
-      wider_y(rounded_up(margin.y)) {}
+      wider_y(rounded_up(margin.y)),
+      is_of_region(picture.is_of_region()),
+      eyes_forward(rounded_up(picture.eyes_forward())),
+      eyes_reach(rounded_up(2 * (picture.reach({1, 0, 0}) + picture.reach({0, 1, 0}) + picture.reach({0, 0, 1})))),
+      layers(in_focus),
+      tiles_of_layer(picture.width() / kTile * (picture.height() / kTile)) {
+  const EyeRegion& eyes = picture.eyes();
+  for (std::size_t i = 0; i < half_edges.size(); ++i) {
+    const glm::dvec3& h = eyes.half_edges[i];
+    half_edges[i] = to_floats({glm::dot(h, picture.right()), glm::dot(h, picture.up()), glm::dot(h, picture.forward())});
+  }
+  const auto of_ball = [&](const glm::dvec3& axis) {
+    const double square = eyes.radius * eyes.radius, along = glm::dot(axis, picture.forward());
+    return to_floats(square * glm::dvec3(glm::dot(axis, axis), -2 * along, glm::dot(picture.forward(), picture.forward())));
+  };
+  right_of_ball = of_ball(picture.right());
+  up_of_ball = of_ball(picture.up());
+}
 
 void ProjectedBoxes::project(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(project)(picture, *this); }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 
 #include "cover/conservative_viewport.h"
 #include "occlude/kernel/box_block.h"
@@ -13,12 +14,25 @@
 
 namespace occlude::culler {
 
+/// The layers of a picture of several eyes, from far to near: each has its own plane in focus. Those of one eye are one.
+struct FocusLayers {
+  static constexpr std::size_t kMost = 16;
+
+  std::array<float, kMost> focus{};
+  std::size_t count = 1;
+
+  /// What is not nearer than this cannot hide any box that asks the layer.
+  [[nodiscard]] float start(std::size_t layer) const {
+    return layer == 0 ? -std::numeric_limits<float>::infinity() : focus[layer - 1];
+  }
+};
+
 /// A coarse picture in floats, rounded outwards where it matters.
 class BoxPicture {
  public:
   BoxPicture() = default;
   /// `margin` is the number of pixels across and up around each box that belong to it; infinity if nothing may be hidden.
-  BoxPicture(const ConservativeViewport& picture, const PixelPosition& margin);
+  BoxPicture(const ConservativeViewport& picture, const PixelPosition& margin, const FocusLayers& in_focus = {});
 
   glm::dvec3 eye{};
   bool is_perspective = true;
@@ -28,6 +42,13 @@ class BoxPicture {
   float near = 0;                  ///< not less than the picture's
   float moved = 0;                 ///< the picture's error() and rounding() together, and what floats may lose
   float wider_x = 0, wider_y = 0;  ///< the margin
+  /// Of a picture of several eyes: how far they reach along the axes of the picture, and its layers.
+  bool is_of_region = false;
+  std::array<std::array<float, 3>, 3> half_edges{};
+  std::array<float, 3> right_of_ball{}, up_of_ball{};  ///< a, b, c of the square a + b x + c x^2 of how far the ball reaches
+  float eyes_forward = 0, eyes_reach = 0;              ///< how far along the line of sight, and as bounds the rounding
+  FocusLayers layers;
+  std::int32_t tiles_of_layer = 0;
 };
 
 /// Where at most eight boxes are in a picture. Each array has a value for each box.
@@ -41,8 +62,10 @@ struct BoxPixels {
   /// No point of the box is nearer. Infinity if that or the position of the box is unknown, for example of one that
   /// reaches before the near plane.
   Floats most;
+  Integers first_tile{};  ///< of the layer that it asks
 
-  void add(const PixelRectangle& pixels, float nearest) {
+  void add(const PixelRectangle& pixels, float nearest, std::int32_t tile = 0) {
+    first_tile[size] = tile;
     x0[size] = pixels.x0;
     y0[size] = pixels.y0;
     x1[size] = pixels.x1;
@@ -72,6 +95,9 @@ struct ProjectedBoxes : BoxPixels {
 
   Floats low_x, low_y, high_x, high_y;  ///< the positions between which the whole box lies, with its error
   Floats distance;                      ///< orders boxes from front to back; a heuristic
+  /// In a picture of several eyes, where they are in the layer on the other side. The members above are those in the layer
+  /// that is focused farther away than the box.
+  BoxPixels nearer_layer;
 };
 
 }  // namespace occlude::culler

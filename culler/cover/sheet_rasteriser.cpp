@@ -31,6 +31,14 @@ double pixels_inside(double area, const CoverOutline::Extent& extent) {
   return area - (extent.high.x - extent.low.x) - (extent.high.y - extent.low.y) + 1;
 }
 
+/// An edge as wide as what moves its ends.
+ProjectedEdge moved_edge(const MovedPosition& a, const MovedPosition& b) {
+  const auto wide = [](const MovedPosition& p) {
+    return p.error + std::max({p.place.x - p.low.x, p.place.y - p.low.y, p.high.x - p.place.x, p.high.y - p.place.y});
+  };
+  return {a, b, std::max(wide(a), wide(b))};
+}
+
 }  // namespace
 
 void SheetRasteriser::begin(const ConservativeViewport& picture) {
@@ -58,13 +66,18 @@ void SheetRasteriser::project(const CoverMesh& mesh) {
   const std::size_t count = mesh_.vertices.size();
   seen_.resize(count);
   vertices_.resize(count);
-  is_cut_ = false;
+  nearest_of_mesh_ = kNoBound;
   for (std::size_t i = 0; i < count; ++i) {
     seen_[i] = picture_.eye_point(mesh_.vertices[i]);
-    is_cut_ = is_cut_ || seen_[i].forward < picture_.near();
+    nearest_of_mesh_ = std::min(nearest_of_mesh_, seen_[i].forward);
   }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (!is_cut_ || !is_before(i)) vertices_[i] = vertex(seen_[i]);
+  is_cut_ = nearest_of_mesh_ < picture_.near();
+  if (picture_.is_of_region()) {
+    move();
+  } else {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (!is_cut_ || !is_before(i)) vertices_[i] = vertex(seen_[i]);
+    }
   }
   signs_.resize(mesh_.triangles.size());
   for (std::size_t t = 0; t < signs_.size(); ++t) {
@@ -76,9 +89,55 @@ void SheetRasteriser::project(const CoverMesh& mesh) {
   sheet_number_ = 0;
 }
 
+/// Finds what the eyes do to the vertices. What they do to edges and planes is found when it is first asked.
+void SheetRasteriser::move() {
+  moving_.resize(seen_.size());
+  for (std::uint32_t i = 0; i < seen_.size(); ++i) {
+    if (!is_cut_ || !is_before(i)) moving_[i] = picture_.moving(seen_[i]);
+  }
+  edges_.assign(3 * mesh_.triangles.size(), std::nullopt);
+  planes_.assign(mesh_.triangles.size(), std::nullopt);
+}
+
+void SheetRasteriser::focus(double focus) {
+  focus_ = focus;
+  for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
+    if (is_cut_ && is_before(i)) continue;
+    vertices_[i] = {moving_[i].at(focus), rounded_down(picture_.least_nearness(seen_[i].forward))};
+  }
+}
+
+/// Whether what the eyes move its border by leaves hardly anything of a sheet. Most sheets are consumed where what is far
+/// nearer or farther is in focus. A sheet is taken to be as good as a rectangle of its area and extent, and its border to
+/// move by as much as its vertices in the mean.
+bool SheetRasteriser::is_consumed() const {
+  if (!picture_.is_of_region() || is_cut_) return false;
+  PixelPosition low{kNoBound, kNoBound}, high{-kNoBound, -kNoBound}, wide{};
+  double area = 0;
+  for (const std::uint32_t t : sheet_) {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    for (const std::uint32_t v : {a, b, c}) {
+      const MovedPosition& corner = vertices_[v].corner;
+      low = {std::min(low.x, corner.place.x), std::min(low.y, corner.place.y)};
+      high = {std::max(high.x, corner.place.x), std::max(high.y, corner.place.y)};
+      wide = {wide.x + corner.high.x - corner.low.x, wide.y + corner.high.y - corner.low.y};
+    }
+    area += CoverOutline(vertices_[a], vertices_[b], vertices_[c]).area;
+  }
+  const double corners = 3 * static_cast<double>(sheet_.size());
+  const double width = high.x - low.x, height = high.y - low.y, right = width - wide.x / corners,
+               up = height - wide.y / corners;
+  return !(right > 1 && up > 1) || area * (right / width) * (up / height) - right - up + 1 < kWorthPixels;
+}
+
+/// How near something is that begins so far along the line of sight, or at the near plane if that is farther.
+float SheetRasteriser::nearness_from(double forward) const {
+  return rounded_up(picture_.nearness(picture_.is_perspective() ? std::max(forward, picture_.near()) : forward));
+}
+
 bool SheetRasteriser::find(std::size_t sheet) {
   sheet_ = sheets_[sheet];
-  if (sheet_.front() >= mesh_.new_triangles) return false;
+  if (sheet_.front() >= mesh_.new_triangles || is_consumed()) return false;
   outlines_.clear();
   CoverOutline::Extent all;
   double area = 0, nearest = kNoBound;
@@ -92,7 +151,7 @@ bool SheetRasteriser::find(std::size_t sheet) {
   const PixelRectangle r = picture_.clipped(picture_.pixels(all.low, all.high, 0));
   if (r.x0 >= r.x1 || r.y0 >= r.y1) return false;
   found_ = {r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
-  nearest_ = rounded_up(picture_.nearness(picture_.is_perspective() ? std::max(nearest, picture_.near()) : nearest));
+  nearest_ = nearness_from(nearest);
   return true;
 }
 
@@ -103,7 +162,7 @@ void SheetRasteriser::rasterise_depth(const PixelRectangle& tiles) {
   ++sheet_number_;
   for (std::size_t i = 0; i < sheet_.size(); ++i) {
     sheet_of_[sheet_[i]] = sheet_number_;
-    if (outlines_[i].extent.may_meet(window_)) rasterise_depth(mesh_.triangles[sheet_[i]], outlines_[i]);
+    if (outlines_[i].extent.may_meet(window_)) rasterise_depth(sheet_[i], outlines_[i]);
   }
 }
 
@@ -114,7 +173,10 @@ void SheetRasteriser::draw(const PixelRectangle& tiles) {
 }
 
 CoverVertex SheetRasteriser::vertex(const EyePoint& seen) const {
-  return {picture_.corner(seen), rounded_down(picture_.least_nearness(seen.forward))};
+  const float nearness = rounded_down(picture_.least_nearness(seen.forward));
+  if (picture_.is_of_region()) return {picture_.moving(seen).at(focus_), nearness};
+  const BoundedPosition corner = picture_.corner(seen);
+  return {{corner, corner.place, corner.place}, nearness};
 }
 
 CoverVertex SheetRasteriser::cut(std::uint32_t a, std::uint32_t b) const {
@@ -168,7 +230,7 @@ int SheetRasteriser::sign(const CoverMesh::Triangle& triangle) const {
 
 /// Lowers the nearness of the tiles that the triangle touches. The triangle is nowhere farther than its farthest corner,
 /// nor, within a tile, than its plane.
-void SheetRasteriser::rasterise_depth(const CoverMesh::Triangle& triangle, const CoverOutline& outline) {
+void SheetRasteriser::rasterise_depth(std::uint32_t triangle, const CoverOutline& outline) {
   const PixelRectangle touched = picture_.pixels(outline.extent.low, outline.extent.high, 0);
   const PixelRectangle r{std::max(touched.x0, window_.x0), std::max(touched.y0, window_.y0),
                          std::min(touched.x1, window_.x1), std::min(touched.y1, window_.y1)};
@@ -179,19 +241,19 @@ void SheetRasteriser::rasterise_depth(const CoverMesh::Triangle& triangle, const
     work_ += static_cast<std::size_t>(across) * static_cast<std::size_t>(up);
     return lower(tiles, outline.nearness);
   }
-  const auto& [a, b, c] = triangle;
-  const ProjectedPlane plane(picture_, reach_, seen_[a], seen_[b], seen_[c]);
+  const ProjectedPlane plane = this->plane(triangle);
   const auto lower_to_plane = [&](const PixelRectangle& part) {
     work_ += static_cast<std::size_t>(part.x1 - part.x0) * static_cast<std::size_t>(part.y1 - part.y0);
     if (!plane.is_known()) return lower(part, outline.nearness);
-    culler::lower({nearness_.data(), tiles_across_, slopes_x_.data(), slopes_y_.data()}, part, plane.bound(),
-                  outline.nearness);
+    for (const PlaneBound& bound : plane.bounds(focus_)) {
+      culler::lower({nearness_.data(), tiles_across_, slopes_x_.data(), slopes_y_.data()}, part, bound, outline.nearness);
+    }
   };
   if (across <= kOfWholeRows || up <= kOfWholeRows) return lower_to_plane(tiles);
   std::array<ProjectedEdge, 4> edges;
-  const CoverLoop loop = this->loop(triangle);
+  const CoverLoop loop = this->loop(mesh_.triangles[triangle]);
   for (std::size_t i = 0; i < loop.count; ++i) {
-    edges[i] = {loop.vertices[i].corner, loop.vertices[i + 1 < loop.count ? i + 1 : 0].corner};
+    edges[i] = moved_edge(loop.vertices[i].corner, loop.vertices[i + 1 < loop.count ? i + 1 : 0].corner);
   }
   for (int y = tiles.y0; y < tiles.y1; ++y) {
     ProjectedEdge::Range range;
@@ -200,6 +262,17 @@ void SheetRasteriser::rasterise_depth(const CoverMesh::Triangle& triangle, const
     const int x1 = std::min(pixel_at(range.high, picture_.width()) / kTile + 1, tiles.x1);
     if (x0 < x1) lower_to_plane({x0, y, x1, y + 1});
   }
+}
+
+ProjectedPlane SheetRasteriser::plane(std::uint32_t triangle) {
+  const auto find = [&] {
+    const auto& [a, b, c] = mesh_.triangles[triangle];
+    return ProjectedPlane(picture_, reach_, seen_[a], seen_[b], seen_[c]);
+  };
+  if (!picture_.is_of_region()) return find();
+  std::optional<ProjectedPlane>& plane = planes_[triangle];
+  if (!plane) plane = find();
+  return *plane;
 }
 
 /// Lowers the nearness of these tiles.
@@ -217,7 +290,7 @@ void SheetRasteriser::draw_sides(std::uint32_t triangle) {
   const CoverMesh::Triangle& corners = mesh_.triangles[triangle];
   for (std::uint32_t i = 0; i < 3; ++i) {
     const std::uint32_t side = 3 * triangle + i;
-    if (!sheets_.is_inner(side) && is_border(side)) draw_edge(corners[i], corners[(i + 1) % 3]);
+    if (!sheets_.is_inner(side) && is_border(side)) draw_edge(side, corners[i], corners[(i + 1) % 3]);
   }
   if (is_cut_) draw_cut(corners);
 }
@@ -233,16 +306,27 @@ bool SheetRasteriser::is_border(std::uint32_t side) const {
   return is_odd;
 }
 
-void SheetRasteriser::draw_edge(std::uint32_t from, std::uint32_t to) {
-  if (!is_cut_) return border_.draw(vertices_[from].corner, vertices_[to].corner);
+void SheetRasteriser::draw_edge(std::uint32_t side, std::uint32_t from, std::uint32_t to) {
+  if (!is_cut_) {
+    const MovedPosition &a = vertices_[from].corner, &b = vertices_[to].corner;
+    if (!picture_.is_of_region()) return border_.draw(a, b);
+    std::optional<MovingEdge>& edge = edges_[side];
+    if (!edge) edge = picture_.moving(a, b);
+    return border_.draw(a, b, picture_.swept(*edge, a, b, focus_));
+  }
   if (is_before(from) && is_before(to)) return;
   const auto end = [&](std::uint32_t vertex) { return (is_before(vertex) ? cut(from, to) : vertices_[vertex]).corner; };
-  border_.draw(end(from), end(to));
+  draw_edge(end(from), end(to));
+}
+
+void SheetRasteriser::draw_edge(const MovedPosition& from, const MovedPosition& to) {
+  if (!picture_.is_of_region()) return border_.draw(from, to);
+  border_.draw(from, to, picture_.swept(picture_.moving(from, to), from, to, focus_));
 }
 
 /// The cut of a triangle is border: it leads from where the loop leaves the drawn part back to where the loop returns.
 void SheetRasteriser::draw_cut(const CoverMesh::Triangle& triangle) {
-  BoundedPosition leaves{}, returns{};
+  MovedPosition leaves{}, returns{};
   bool is_cut = false;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
@@ -250,7 +334,7 @@ void SheetRasteriser::draw_cut(const CoverMesh::Triangle& triangle) {
     is_cut = true;
     (is_before(b) ? leaves : returns) = cut(a, b).corner;
   }
-  if (is_cut) border_.draw(leaves, returns);
+  if (is_cut) draw_edge(leaves, returns);
 }
 
 }  // namespace occlude::culler

@@ -24,6 +24,7 @@
 #include "cover/cover_outline.h"
 #include "cover/cover_sheets.h"
 #include "cover/cover_tile.h"
+#include "cover/projected_plane.h"
 
 namespace occlude::culler {
 
@@ -36,7 +37,12 @@ class SheetRasteriser {
   /// Projects a mesh and divides it into sheets. REQUIRES: begin() was called; the mesh stays as it is while its sheets are
   /// drawn.
   void project(const CoverMesh& mesh);
+  /// No point of the mesh is nearer.
+  [[nodiscard]] float nearest_of_mesh() const { return nearness_from(nearest_of_mesh_); }
   [[nodiscard]] std::size_t sheets() const { return sheets_.size(); }
+  /// The calls that follow are about the picture with this focus. REQUIRES: the picture is of several eyes; project() was
+  /// called since begin().
+  void focus(double focus);
 
   /// Finds where a sheet is in the picture. Returns false if it closes nothing, or so little that it is not worth drawing.
   [[nodiscard]] bool find(std::size_t sheet);
@@ -64,6 +70,7 @@ class SheetRasteriser {
  private:
   [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
   [[nodiscard]] CoverVertex vertex(const EyePoint& seen) const;
+  [[nodiscard]] float nearness_from(double forward) const;
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
   [[nodiscard]] CoverVertex cut(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] CoverLoop loop(const CoverMesh::Triangle& triangle) const;
@@ -71,14 +78,18 @@ class SheetRasteriser {
     const auto [a, b, c] = triangle;
     return is_cut_ ? CoverOutline(loop(triangle)) : CoverOutline(vertices_[a], vertices_[b], vertices_[c]);
   }
+  void move();
+  [[nodiscard]] bool is_consumed() const;
   void clear(const PixelRectangle& tiles);
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
-  void rasterise_depth(const CoverMesh::Triangle& triangle, const CoverOutline& outline);
+  void rasterise_depth(std::uint32_t triangle, const CoverOutline& outline);
+  [[nodiscard]] ProjectedPlane plane(std::uint32_t triangle);
   void lower(const PixelRectangle& tiles, float nearness);
   void draw_sides(std::uint32_t triangle);
   [[nodiscard]] bool is_in_sheet(std::uint32_t triangle) const { return sheet_of_[triangle] == sheet_number_; }
   [[nodiscard]] bool is_border(std::uint32_t side) const;
-  void draw_edge(std::uint32_t from, std::uint32_t to);
+  void draw_edge(std::uint32_t side, std::uint32_t from, std::uint32_t to);
+  void draw_edge(const MovedPosition& from, const MovedPosition& to);
   void draw_cut(const CoverMesh::Triangle& triangle);
 
   ConservativeViewport picture_;
@@ -93,6 +104,11 @@ class SheetRasteriser {
   std::vector<CoverOutline> outlines_;    ///< of these
   std::vector<std::uint32_t> sheet_of_;   ///< for each triangle, the last of sheet_number_ whose depth it was part of
   bool is_cut_ = false;
+  double nearest_of_mesh_ = 0, focus_ = 0;
+  // What the eyes of a region do: to vertices, to sides and to triangles.
+  std::vector<MovingPosition> moving_;
+  std::vector<std::optional<MovingEdge>> edges_;
+  std::vector<std::optional<ProjectedPlane>> planes_;
   PixelRectangle found_{};   ///< tiles
   PixelRectangle window_{};  ///< pixels
   float nearest_ = 0;

@@ -44,9 +44,9 @@ int main() {
   options.method = Method::cover;
 
   // One cull for both eyes: what either of them sees is drawn.
-  MatrixCamera eyes = MatrixCamera::from_columns(head(0, 0, 2, 0.1F).data(), ClipDepth::zero_to_w);
-  eyes.eye_radius = 0.032;  // half of the distance of the eyes
-  const CullResult seen = culler.cull(eyes, options);
+  MatrixCamera both = MatrixCamera::from_columns(head(0, 0, 2, 0.1F).data(), ClipDepth::zero_to_w);
+  both.eyes = EyeRegion::ball(0.032);  // half of the distance of the eyes
+  const CullResult seen = culler.cull(both, options);
   std::printf("head: %3zu of %zu polygons\n", seen.stats.drawn_polygons, soup.size());
 
   // With parallel rays it must be said which depths are nearer.

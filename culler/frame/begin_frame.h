@@ -10,7 +10,7 @@
 
 namespace occlude::culler {
 
-/// Empties the result and makes the half-spaces of the view. REQUIRES: require_sound(camera, options.method).
+/// Empties the result and makes the half-spaces of the view. REQUIRES: require_sound(camera).
 template <class AnyCamera>
 void begin_frame(const Hierarchy& hierarchy, const AnyCamera& camera, const CullOptions& options, View::Memory& memory) {
   Frame& frame = memory.frame;

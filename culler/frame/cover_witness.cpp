@@ -75,7 +75,7 @@ template <class AnyCamera>
 void Culler::append_covers_of(const CullResult& frame, const AnyCamera& camera, const CullOptions& options, std::size_t most,
                               std::vector<CoverWitness>& witnesses) const {
   if (frame.method != Method::cover) return;
-  require_sound(camera, Method::cover);
+  require_sound(camera);
   const CullOptions same = repeated(frame, options);
   View::Memory memory;
   begin_frame(hierarchy_, camera, same, memory);

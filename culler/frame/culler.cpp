@@ -91,7 +91,7 @@ CullResult Culler::cull_alone(const AnyCamera& camera, const CullOptions& option
 
 template <class AnyCamera>
 const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const {
-  require_sound(camera, options.method);
+  require_sound(camera);
   View::Memory& memory = memory_for(view, occluders_);
   if (options.method == Method::cover) {
     const CoverTriangles& triangles = this->triangles();

@@ -18,7 +18,7 @@ namespace {
 
 template <class AnyCamera>
 FrameView view_of(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera) {
-  require_sound(camera, Method::cover);
+  require_sound(camera);
   return FrameView(camera, reach(objects, occluders, eye_of(camera)));
 }
 

@@ -268,7 +268,7 @@ Share planes_along_rays(Choices& choices, Moves moves) {
   const auto met = any_met(choices, *triangle);
   if (!plane.is_known() || !met) return std::nullopt;
   const Exact computed = computed_nearness(*triangle, met->x, met->y);
-  return share_lowered(computed, met->nearness, bound_along(plane.bound(), met->x, met->y));
+  return share_lowered(computed, met->nearness, bound_along(*plane.bounds(0).begin(), met->x, met->y));
 }
 
 /// The least nearness over a tile, as lower() finds it in doubles and rounds it to floats, at a ray of the tile.
@@ -293,12 +293,12 @@ Share planes_over_tiles(Choices& choices) {
   std::array<float, kTile + 1> nearness{std::numeric_limits<float>::infinity()};
   std::array<double, kTile + 2> slopes_x{picture.slope(x, 0).x, picture.slope(x + kTile, 0).x};
   const std::array<double, 2> slopes_y{picture.slope(0, y).y, picture.slope(0, y + kTile).y};
-  culler::lower({nearness.data(), 1, slopes_x.data(), slopes_y.data()}, {0, 0, 1, 1}, plane.bound(),
+  culler::lower({nearness.data(), 1, slopes_x.data(), slopes_y.data()}, {0, 0, 1, 1}, *plane.bounds(0).begin(),
                 -std::numeric_limits<float>::infinity());
   if (!std::isfinite(nearness[0])) return std::nullopt;
   std::optional<Exact> lowest;
   for (const auto& [at_x, at_y] : {std::pair{x, y}, {x + kTile, y}, {x, y + kTile}, {x + kTile, y + kTile}}) {
-    const Exact here = bound_along(plane.bound(), ray_x(at_x), ray_y(at_y));
+    const Exact here = bound_along(*plane.bounds(0).begin(), ray_x(at_x), ray_y(at_y));
     lowest = lowest ? least(*lowest, here) : here;
   }
   const Exact room = met->nearness - *lowest + Exact(0x1p-23) * CGAL::abs(*lowest) + Exact(0x1p-149);

@@ -158,8 +158,8 @@ class CullJudge {
   std::vector<oracle::Viewpoint> eyes() const {
     std::vector<oracle::Viewpoint> eyes{proof::viewpoint_of(camera_)};
     const auto* const matrix = std::get_if<culler::MatrixCamera>(&camera_);
-    if (matrix == nullptr || matrix->eye_radius == 0 || eyes[0].at_infinity) return eyes;
-    const double radius = 0.999 * matrix->eye_radius;  // rounding moves none of them out of it
+    if (matrix == nullptr || matrix->eyes.radius == 0 || eyes[0].at_infinity) return eyes;
+    const double radius = 0.999 * matrix->eyes.radius;  // rounding moves none of them out of it
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const double e : {-radius, radius}) {
         eyes.push_back(eyes[0]);

@@ -82,7 +82,7 @@ void turn_to_axis(Random& random, Camera& camera) {
 /// What is wrong with the frame of a matrix of the camera, perhaps for several eyes.
 std::string fault_from_eyes(Random& random, const Culler& culler, const Camera& camera, const culler::CullOptions& options) {
   culler::MatrixCamera matrix = matrix_of(random, camera);
-  if (random.chance(0.5)) matrix.eye_radius = std::array{1e-9, 0x1p-10, 0x1p-5, 0.5}[random.index(4)];
+  if (random.chance(0.5)) matrix.eyes.radius = std::array{1e-9, 0x1p-10, 0x1p-5, 0.5}[random.index(4)];
   return culler::fault(matrix).empty() ? fuzz::fault_of(culler, matrix, options, culler.cull(matrix, options)) : "";
 }
 

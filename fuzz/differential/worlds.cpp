@@ -333,7 +333,7 @@ class WorldJudge {
       return fault_of_culls(camera, options);
     }
     culler::MatrixCamera matrix = matrix_of(random_, camera);
-    if (random_.chance(0.5)) matrix.eye_radius = std::array{1e-9, 0x1p-10, 0x1p-5, 0.5}[random_.index(4)];
+    if (random_.chance(0.5)) matrix.eyes.radius = std::array{1e-9, 0x1p-10, 0x1p-5, 0.5}[random_.index(4)];
     if (!culler::fault(matrix).empty()) return "";
     set_eyes(camera, matrix);
     return fault_of_culls(matrix, options);
@@ -342,13 +342,13 @@ class WorldJudge {
   /// The cameras from all of which what is hidden must be hidden.
   void set_eyes(const Camera& camera, const culler::MatrixCamera& matrix) {
     eyes_.clear();
-    for (int i = 0; i < (matrix.eye_radius > 0 ? 3 : 1); ++i) {
+    for (int i = 0; i < (matrix.eyes.radius > 0 ? 3 : 1); ++i) {
       dvec3 aside(random_.real(-1, 1), random_.real(-1, 1), random_.real(-1, 1));
-      aside *= 0.999 * matrix.eye_radius / std::max(glm::length(aside), 0.5);
+      aside *= 0.999 * matrix.eyes.radius / std::max(glm::length(aside), 0.5);
       Camera moved = camera;
       // Of parallel rays the eye only says where the near plane is, and that the matrix says to rounding.
       const bool is_perspective = camera.projection == culler::Projection::perspective;
-      moved.eye = (is_perspective && matrix.eye_radius == 0 ? matrix.eye() : camera.eye) + aside;
+      moved.eye = (is_perspective && matrix.eyes.radius == 0 ? matrix.eye() : camera.eye) + aside;
       moved.target += moved.eye - camera.eye;
       eyes_.push_back(moved);
     }

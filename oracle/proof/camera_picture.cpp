@@ -34,7 +34,8 @@ oracle::Picture picture(const culler::Camera& camera, double outward) {
   const auto [right, up, forward] = camera.axes();
   const auto within = [&](const dvec3& normal, double ahead) {
     const double terms = sum_of_magnitudes(normal) * sum_of_magnitudes(camera.eye) + std::fabs(ahead);
-    return moved(normal, ahead - glm::dot(normal, camera.eye), terms, outward);
+    const double distance = outward + std::copysign(camera.eyes.reach(normal) / glm::length(normal), outward);
+    return moved(normal, ahead - glm::dot(normal, camera.eye), terms, distance);
   };
   const bool perspective = camera.projection == culler::Projection::perspective;
   const double y = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
@@ -62,7 +63,6 @@ bool is_less_nearer(const culler::MatrixCamera& camera) {
 }
 
 oracle::Picture picture(const culler::MatrixCamera& camera, double outward) {
-  const double distance = outward + std::copysign(camera.eye_radius, outward);
   const dvec3 eye = camera.eye();
   const auto add = [&](std::vector<HalfSpaceCoefficients>& half_spaces, int row, double sign, bool with_w) {
     const auto number = [&](int column) {
@@ -75,7 +75,8 @@ oracle::Picture picture(const culler::MatrixCamera& camera, double outward) {
     normal /= length;
     // What rotations leave of 0. It is less than what rounds.
     for (int axis = 0; axis < 3; ++axis) normal[axis] = std::fabs(normal[axis]) < 0x1p-60 ? 0 : normal[axis];
-    half_spaces.push_back(moved(normal, offset, sum_of_magnitudes(eye) + std::fabs(offset), distance));
+    half_spaces.push_back(moved(normal, offset, sum_of_magnitudes(eye) + std::fabs(offset),
+                                outward + std::copysign(camera.eyes.reach(normal), outward)));
   };
   oracle::Picture picture;
   for (const int row : {0, 1}) {

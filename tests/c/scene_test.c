@@ -380,10 +380,10 @@ static void matrix_cameras(void) {
   CHECK_OK(occlude_scene_update(scene));
   CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
   CHECK(!draws(view, ids[3]));
-  camera.eye_radius = 3;
+  camera.eyes.radius = 3;
   CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
   CHECK(draws(view, ids[3]));
-  camera.eye_radius = 0;
+  camera.eyes.radius = 0;
 
   // What is refused.
   const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;

@@ -92,7 +92,7 @@ static void outputs(void) {
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "frame: its size is 3, which is of no version", occlude_view_frame(view, &frame));
 }
 
-/// The first version's matrix, depth and order are needed; the radius is not.
+/// The first version's matrix, depth and order are needed; the eyes are not.
 static void matrix_camera(void) {
   const float matrix[] = {0, -1, 0, 0, 0, 0, 1, 0, 1, 0, 0, -0.2F, 1, 0, 0, 0};
   occlude_matrix_camera camera = OCCLUDE_MATRIX_CAMERA_INIT;
@@ -100,9 +100,9 @@ static void matrix_camera(void) {
   camera.type = OCCLUDE_FLOAT;
   camera.order = OCCLUDE_ROWS;
   camera.depth = OCCLUDE_DEPTH_ZERO_TO_W;
-  camera.eye_radius = -1;
+  camera.eyes.radius = -1;
   CHECK(occlude_scene_cull(scene, &camera, NULL, view) == OCCLUDE_INVALID_ARGUMENT);
-  occlude_matrix_camera* shorter = shortened(&camera, offsetof(occlude_matrix_camera, eye_radius));
+  occlude_matrix_camera* shorter = shortened(&camera, offsetof(occlude_matrix_camera, eyes));
   CHECK_OK(occlude_scene_cull(scene, shorter, NULL, view));
   free(shorter);
   camera.size = sizeof camera + sizeof(size_t);

@@ -625,7 +625,7 @@ TEST(MatrixCamera, KnowsHowMuchRaysAreTurnedThatAreNearlyParallel) {
     set(2, forward / size, 0);
     set(3, w, 1);
     MatrixCamera camera = MatrixCamera::from_rows(numbers.data(), ClipDepth::zero_to_w, Nearer::less);
-    camera.eye_radius = i % 4 == 0 ? 0 : std::ldexp(size, static_cast<int>(random() % 8));
+    camera.eyes.radius = i % 4 == 0 ? 0 : std::ldexp(size, static_cast<int>(random() % 8));
     ASSERT_EQ(fault(camera), "");
     const FrameView view(camera, size);
     ASSERT_FALSE(view.is_perspective);
@@ -634,7 +634,7 @@ TEST(MatrixCamera, KnowsHowMuchRaysAreTurnedThatAreNearlyParallel) {
       const auto at = [&](int column) { return Sight::Real{camera.matrix[column][row]}; };
       return at(0) * p.x + at(1) * p.y + at(2) * p.z + at(3);
     };
-    const dvec3 point = some_vector(random, size / 3), eye = camera.eye_radius * glm::normalize(some_vector(random));
+    const dvec3 point = some_vector(random, size / 3), eye = camera.eyes.radius * glm::normalize(some_vector(random));
     const Vector p = Vector(point) - Vector(eye), n(w);
     const Vector ray = glm::normalize(glm::cross(Vector(right / size) * value(3, p) - value(0, p) * n,
                                                  Vector(up / size) * value(3, p) - value(1, p) * n)),
@@ -723,7 +723,7 @@ TEST(MatrixCamera, NothingVisibleFromAnyOfItsEyesIsCulled) {
     Made made = some_camera(random, kKinds[static_cast<std::size_t>(i) % kKinds.size()]);
     const double radius = made.near * uniform(random, 0.02, 0.3);
     const Stage stage = some_stage(random, made, 0.2);
-    made.camera.eye_radius = radius;
+    made.camera.eyes.radius = radius;
     const Culler culler = culler_of(stage.soup);
     const CullResult frame = culler.cull(made.camera, options_of(Method::cover));
     const std::vector<bool> drawn = drawn_points(culler, frame);
@@ -777,7 +777,7 @@ TEST(MatrixCamera, OfACameraShowsWhatItShows) {
       for (const Nearer nearer : {Nearer::less, Nearer::greater}) {
         const MatrixCamera made = MatrixCamera::from_camera(camera, depth, nearer);
         ASSERT_EQ(fault(made), "");
-        EXPECT_TRUE(made.depth == depth && made.nearer == nearer && made.eye_radius == 0);
+        EXPECT_TRUE(made.depth == depth && made.nearer == nearer && made.eyes.radius == 0);
         const double least = depth == ClipDepth::zero_to_w ? 0 : -1;
         const double at_near = nearer == Nearer::less ? least : 1, at_far = nearer == Nearer::less ? 1 : least;
         const double far = std::min(camera.far_plane, 1e13);  // so far that depths are those of infinity
@@ -1001,16 +1001,20 @@ TEST(MatrixCamera, WhatCannotBeUsedIsRefused) {
   MatrixCamera camera = MatrixCamera::from_rows(good.data(), ClipDepth::minus_w_to_w);
   const Culler culler = culler_of(random_town(1, 10));
   for (const double radius : {-1.0, kInfinity, 0x1p-101, 0x1p101, std::numeric_limits<double>::quiet_NaN()}) {
-    camera.eye_radius = radius;
+    camera.eyes.radius = radius;
     EXPECT_EQ(fault(camera), "the radius of the eyes must be 0, or positive and in range");
   }
-  camera.eye_radius = 0.1;
+  camera.eyes.radius = 0.1;
   EXPECT_EQ(fault(camera), "");
-  EXPECT_EQ(fault(camera, Method::cover), "");
-  EXPECT_EQ(fault(camera, Method::frusta), "shadow frusta are from one eye: a radius of eyes is for covers");
-  EXPECT_EQ(refusal([&] { static_cast<void>(culler.cull(camera)); }),
-            "camera: shadow frusta are from one eye: a radius of eyes is for covers");
-  EXPECT_EQ(refusal([&] { static_cast<void>(culler.cull(camera, options_of(Method::cover))); }), "");
+  for (const Method method : {Method::frusta, Method::cover}) {
+    EXPECT_EQ(refusal([&] { static_cast<void>(culler.cull(camera, options_of(method))); }), "");
+  }
+  camera.eyes.half_edges[1].x = 0.1;
+  EXPECT_EQ(fault(camera), "the eyes are in a ball or in a box, not both");
+  camera.eyes = EyeRegion::box({0.1, 0, 0});
+  EXPECT_EQ(fault(camera), "");
+  camera.eyes.half_edges[2].z = kInfinity;
+  EXPECT_EQ(fault(camera), "a half-edge of the eyes is not finite or out of range");
 }
 
 /// What a rotation leaves of zeros is far below the kernel's least number.

@@ -65,7 +65,7 @@ TEST(CullsByMatrix, AreProvedByTheOracle) {
     };
     judge(options_of(Method::frusta), 0);
     judge(options_of(Method::cover), 1);
-    matrix.eye_radius = 0.1;
+    matrix.eyes.radius = 0.1;
     judge(options_of(Method::cover), 2);
   }
   EXPECT_GT(*std::ranges::min_element(hidden), 50U);
@@ -88,7 +88,7 @@ TEST(CullsByMatrix, AreNotProvedOfAnotherMatrix) {
       aside.target += dvec3(0, 0, 2);
       refused += fuzz::fault_of(culler, matrix_of(aside), options, frame).empty() ? 0 : 1;
       MatrixCamera several = matrix_of(camera);
-      several.eye_radius = 1;
+      several.eyes.radius = 1;
       if (method == Method::cover) refused_of_several += fuzz::fault_of(culler, several, options, frame).empty() ? 0 : 1;
     }
   }
@@ -243,7 +243,7 @@ TEST_F(CullsOfAScene, AreProvedByTheOracle) {
     MatrixCamera matrix = matrix_of(camera);
     const oracle::Viewpoint middle = proof::viewpoint_of(matrix);
     add(1, prove(matrix, options, {middle}));
-    matrix.eye_radius = 0.1;
+    matrix.eyes.radius = 0.1;
     std::vector<oracle::Viewpoint> eyes{middle};
     for (std::size_t axis = 0; axis < 3 && !middle.at_infinity; ++axis) {
       eyes.push_back(middle);

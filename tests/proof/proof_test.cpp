@@ -169,7 +169,7 @@ TEST(MatrixProof, RefusesPlanesThatCutWhatTheMatrixShows) {
     EXPECT_FALSE(is_refused({1, -1, 0, 0.001})) << "beyond it";
     EXPECT_TRUE(is_refused({1, 0, 1, -0.001})) << "within the bottom";
     EXPECT_FALSE(is_refused({1, 0, 1, 0.001})) << "beyond it";
-    camera.eye_radius = 0.25;
+    camera.eyes.radius = 0.25;
     EXPECT_TRUE(is_refused({1, 0, 0, -0.76})) << "one of the eyes shows it";
     EXPECT_FALSE(is_refused({1, 0, 0, -0.74}));
     EXPECT_TRUE(is_refused({1, -1, 0, 0.34})) << "a side is moved by the radius, 0.25 sqrt 2 along the axes";
@@ -184,7 +184,7 @@ TEST(MatrixProof, KnowsWhereTheRendererClips) {
     EXPECT_TRUE(clips(0.999));
     EXPECT_FALSE(clips(1.001));
     EXPECT_FALSE(clips(1000)) << "what is beyond the far plane hides what is beyond it too";
-    camera.eye_radius = 0.25;
+    camera.eyes.radius = 0.25;
     EXPECT_TRUE(clips(1.24)) << "for one of the eyes";
     EXPECT_FALSE(clips(1.26));
   }

@@ -150,7 +150,7 @@ class Models(unittest.TestCase):
             expected, frame = culler.cull(camera, method=method), culler.cull(matrix, occlude.View(), method=method)
             self.assertLess(len(set(expected.polygons) ^ set(frame.polygons)), 20)
             self.assertGreater(frame.statistics["shadow_culled_polygons"], 30)
-        several = occlude.MatrixCamera(projection @ look, "minus_w_to_w", eye_radius=0.5)
+        several = occlude.MatrixCamera(projection @ look, "minus_w_to_w", eyes=occlude.EyeRegion.ball(0.5))
         self.assertGreater(len(culler.cull(several, method="cover").polygons), 0)
         with self.assertRaises(ValueError):
             culler.cull(several, method="frusta")

@@ -212,7 +212,7 @@ class Scenes(unittest.TestCase):
                 self.assertTrue(np.all(points @ plane[:3] + plane[3] < 0))
         self.assertEqual(frame.statistics["hidden"], sum(f.reason == Reason.HIDDEN for f in fates))
         self.assertGreater(frame.statistics["hidden"], 10)
-        several = world.scene.cull(occlude.MatrixCamera(projection @ model, "minus_w_to_w", eye_radius=2))
+        several = world.scene.cull(occlude.MatrixCamera(projection @ model, "minus_w_to_w", eyes=occlude.EyeRegion.ball(2)))
         self.assertLessEqual(drawn, set(several.drawn["id"].tolist()))
         self.assertLess(len(drawn), len(several.drawn))
         parallel = np.diag([0.02, 0.02, -0.02, 1]) @ model

@@ -43,7 +43,7 @@ class Texts(unittest.TestCase):
         for camera in (
             occlude.Camera([0, 0, 0], [1, 0.1, 0], fov_y_deg=1 / 3),
             occlude.Camera([0, 0, 0], [0, 1, 0], projection="orthographic", height=7, far=100),
-            occlude.MatrixCamera(matrix, "minus_w_to_w", eye_radius=0.03),
+            occlude.MatrixCamera(matrix, "minus_w_to_w", eyes=occlude.EyeRegion.ball(0.03)),
             occlude.MatrixCamera(np.diag([0.02, 0.02, -0.02, 1]), "zero_to_w", "less"),
         ):
             same = eval(repr(camera), {"occlude": occlude, "inf": math.inf})

@@ -332,6 +332,14 @@ enum {
   OCCLUDE_NEARER_GREATER = 2  ///< reversed depth
 };
 
+/// Where the eye may be, relative to a camera's: in a ball, or in a box. All 0: there is one eye. What is culled for a
+/// camera with such a region is hidden from each eye of it: those of two eyes of one person, or wherever the eye may be when
+/// the picture is drawn.
+typedef struct occlude_eye_region {
+  double radius;            ///< of the ball, 0 or more
+  double half_edges[3][3];  ///< of the box: its corners are all sums of them and their negatives
+} occlude_eye_region;
+
 /// A camera that is any projective matrix: the one that the renderer has, from the coordinates of the scene to clip space.
 /// The matrix times the column (x, y, z, 1) is (x, y, z, w) in clip space. Perspective or parallel rays, either handedness,
 /// reversed or infinite depth, off-centre or oblique: all of it follows from the matrix. More is said in
@@ -343,13 +351,17 @@ typedef struct occlude_matrix_camera {
   occlude_matrix_order order;
   occlude_clip_depth depth;  ///< must be said
   occlude_nearer nearer;
-  /// The frame holds for all eyes within this distance of the matrix's: two eyes of one person, or where the eye may be when
-  /// the picture is drawn.
-  double eye_radius;
+  occlude_eye_region eyes;  ///< relative to the matrix's eye
 } occlude_matrix_camera;
 
-#define OCCLUDE_MATRIX_CAMERA_INIT \
-  { sizeof(occlude_matrix_camera), NULL, OCCLUDE_DOUBLE, OCCLUDE_COLUMNS, OCCLUDE_DEPTH_UNSAID, OCCLUDE_NEARER_UNSAID, 0 }
+#define OCCLUDE_MATRIX_CAMERA_INIT                                                                                       \
+  {                                                                                                                      \
+    sizeof(occlude_matrix_camera), NULL, OCCLUDE_DOUBLE, OCCLUDE_COLUMNS, OCCLUDE_DEPTH_UNSAID, OCCLUDE_NEARER_UNSAID, { \
+      0, {                                                                                                               \
+        {0, 0, 0}, {0, 0, 0}, { 0, 0, 0 }                                                                                \
+      }                                                                                                                  \
+    }                                                                                                                    \
+  }
 
 typedef int32_t occlude_projection;
 enum { OCCLUDE_PERSPECTIVE = 0, OCCLUDE_ORTHOGRAPHIC = 1 };
@@ -364,11 +376,18 @@ typedef struct occlude_look_at_camera {
   double near_plane;  ///< distance of the near plane from the eye, above 0
   double far_plane;   ///< as `near_plane`; 0 or infinite: no far plane
   occlude_projection projection;
-  int32_t reserved;  ///< 0
+  int32_t reserved;         ///< 0
+  occlude_eye_region eyes;  ///< relative to `eye`
 } occlude_look_at_camera;
 
-#define OCCLUDE_LOOK_AT_CAMERA_INIT \
-  { sizeof(occlude_look_at_camera), {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 60, 100, 16.0 / 9.0, 0.1, 0, OCCLUDE_PERSPECTIVE, 0 }
+#define OCCLUDE_LOOK_AT_CAMERA_INIT                                                                                         \
+  {                                                                                                                         \
+    sizeof(occlude_look_at_camera), {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 60, 100, 16.0 / 9.0, 0.1, 0, OCCLUDE_PERSPECTIVE, 0, { \
+      0, {                                                                                                                  \
+        {0, 0, 0}, {0, 0, 0}, { 0, 0, 0 }                                                                                   \
+      }                                                                                                                     \
+    }                                                                                                                       \
+  }
 
 /// Writes the matrix of this camera to `matrix`, 16 numbers, column after column: for the renderer, and for
 /// occlude_scene_cull(). With OCCLUDE_NEARER_GREATER and no far plane, depth is reversed and infinite. Both enumerators must

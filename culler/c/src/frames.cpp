@@ -23,6 +23,13 @@ namespace {
 
 glm::dvec3 dvec3(const double* v) { return {v[0], v[1], v[2]}; }
 
+culler::EyeRegion to_region(const occlude_eye_region& eyes) {
+  const auto half_edge = [&](std::size_t i) {
+    return glm::dvec3(eyes.half_edges[i][0], eyes.half_edges[i][1], eyes.half_edges[i][2]);
+  };
+  return {eyes.radius, {half_edge(0), half_edge(1), half_edge(2)}};
+}
+
 culler::Camera to_camera(const occlude_look_at_camera* given) {
   require(given, "camera");
   const auto camera = read_options(given, occlude_look_at_camera OCCLUDE_LOOK_AT_CAMERA_INIT, "camera");
@@ -84,7 +91,7 @@ culler::MatrixCamera to_camera(const occlude_matrix_camera* given) {
   const culler::Nearer nearer = to_nearer(camera.nearer);
   culler::MatrixCamera result =
       camera.type == OCCLUDE_FLOAT ? from_matrix<float>(camera, depth, nearer) : from_matrix<double>(camera, depth, nearer);
-  result.eye_radius = camera.eye_radius;
+  result.eyes = to_region(camera.eyes);
   return result;
 }
 

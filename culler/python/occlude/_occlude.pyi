@@ -11,6 +11,12 @@ __version__: str
 AnyCamera = Union[Camera, MatrixCamera]
 AnyPolygons = Union[ArrayLike, Sequence[ArrayLike]]
 
+class EyeRegion:
+    @staticmethod
+    def ball(radius: float) -> EyeRegion: ...
+    @staticmethod
+    def box(a: ArrayLike, b: ArrayLike = [0.0, 0.0, 0.0], c: ArrayLike = [0.0, 0.0, 0.0]) -> EyeRegion: ...
+
 class Camera:
     def __init__(
         self,
@@ -23,6 +29,7 @@ class Camera:
         aspect: float = ...,
         near: float = 0.1,
         far: float = ...,
+        eyes: EyeRegion = ...,
     ) -> None: ...
 
 class MatrixCamera:
@@ -31,7 +38,7 @@ class MatrixCamera:
         matrix: ArrayLike,
         depth: Literal["minus_w_to_w", "zero_to_w"],
         nearer: Literal["less", "greater", None] = None,
-        eye_radius: float = 0.0,
+        eyes: EyeRegion = ...,
     ) -> None: ...
     @staticmethod
     def from_camera(

@@ -13,16 +13,18 @@ namespace occlude::python {
 namespace {
 
 using culler::Camera;
+using culler::EyeRegion;
+
+glm::dvec3 to_dvec3(const Doubles& v, const char* name) {
+  const auto [x, y, z] = to_vec3(v, name);
+  return {x, y, z};
+}
 
 Camera make_camera(const Doubles& eye, const Doubles& target, const Doubles& up, const std::string& projection,
-                   double fov_y_deg, double height, double aspect, double near, double far) {
-  const auto dvec3 = [](const Doubles& v, const char* name) -> glm::dvec3 {
-    const auto [x, y, z] = to_vec3(v, name);
-    return {x, y, z};
-  };
-  const Camera camera{.eye = dvec3(eye, "eye"),
-                      .target = dvec3(target, "target"),
-                      .up = dvec3(up, "up"),
+                   double fov_y_deg, double height, double aspect, double near, double far, const EyeRegion& eyes) {
+  const Camera camera{.eye = to_dvec3(eye, "eye"),
+                      .target = to_dvec3(target, "target"),
+                      .up = to_dvec3(up, "up"),
                       .projection = to_choice(projection, "projection",
                                               {std::pair{"perspective", culler::Projection::perspective},
                                                {"orthographic", culler::Projection::orthographic}}),
@@ -30,19 +32,29 @@ Camera make_camera(const Doubles& eye, const Doubles& target, const Doubles& up,
                       .height = height,
                       .aspect = aspect,
                       .near_plane = near,
-                      .far_plane = far};
+                      .far_plane = far,
+                      .eyes = eyes};
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
   return camera;
 }
 
+py::tuple list(const glm::dvec3& v) { return py::make_tuple(v.x, v.y, v.z); }
+
+/// As it is made.
+py::object to_text(const EyeRegion& eyes) {
+  if (eyes.radius != 0) return py::str("occlude.EyeRegion.ball({})").format(eyes.radius);
+  const auto& [a, b, c] = eyes.half_edges;
+  return py::str("occlude.EyeRegion.box({}, {}, {})").format(list(a), list(b), list(c));
+}
+
 /// As it is made.
 py::object to_text(const Camera& c) {
-  const auto list = [](const glm::dvec3& v) { return py::make_tuple(v.x, v.y, v.z); };
   const char* projection = c.projection == culler::Projection::perspective ? "perspective" : "orthographic";
-  return py::
-      str("occlude.Camera(eye={}, target={}, up={}, projection={!r}, fov_y_deg={}, height={}, aspect={}, near={}, far={})")
-          .format(list(c.eye), list(c.target), list(c.up), projection, c.fov_y_deg, c.height, c.aspect, c.near_plane,
-                  c.far_plane);
+  return py::str(
+             "occlude.Camera(eye={}, target={}, up={}, projection={!r}, fov_y_deg={}, height={}, aspect={}, near={}, "
+             "far={}, eyes={})")
+      .format(list(c.eye), list(c.target), list(c.up), projection, c.fov_y_deg, c.height, c.aspect, c.near_plane,
+              c.far_plane, to_text(c.eyes));
 }
 
 culler::ClipDepth to_depth(const std::string& depth) {
@@ -66,7 +78,7 @@ culler::Nearer to_nearer(const std::string& nearer) {
 }
 
 culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string& depth, const py::object& nearer,
-                                        double eye_radius) {
+                                        const EyeRegion& eyes) {
   if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4) {
     throw std::invalid_argument("matrix must have shape (4, 4)");
   }
@@ -76,7 +88,7 @@ culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string
   }
   camera.depth = to_depth(depth);
   if (!nearer.is_none()) camera.nearer = to_nearer(to_option<std::string>(nearer, "nearer is no text"));
-  camera.eye_radius = eye_radius;
+  camera.eyes = eyes;
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
   return camera;
 }
@@ -94,8 +106,7 @@ py::object to_text(const culler::MatrixCamera& c) {
   const char* depth = c.depth == culler::ClipDepth::minus_w_to_w ? "minus_w_to_w" : "zero_to_w";
   py::object nearer = py::none();
   if (c.nearer != culler::Nearer::unsaid) nearer = py::str(c.nearer == culler::Nearer::less ? "less" : "greater");
-  return py::str("occlude.MatrixCamera({}, depth={!r}, nearer={!r}, eye_radius={})")
-      .format(rows, depth, nearer, c.eye_radius);
+  return py::str("occlude.MatrixCamera({}, depth={!r}, nearer={!r}, eyes={})").format(rows, depth, nearer, to_text(c.eyes));
 }
 
 std::string to_text(AnyView& view) {
@@ -141,10 +152,23 @@ culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py:
 
 void define_cameras(py::module_& module) {
   using py::literals::operator""_a;
+  py::class_<EyeRegion>(module, "EyeRegion",
+                        "Where the eye may be, relative to a camera's: EyeRegion.ball(radius), EyeRegion.box(a, b, c) with "
+                        "half-edges. What is culled for such a camera is hidden from every eye of the region.")
+      .def_static(
+          "ball", [](double radius) { return EyeRegion::ball(radius); }, "radius"_a)
+      .def_static(
+          "box",
+          [](const Doubles& a, const Doubles& b, const Doubles& c) {
+            return EyeRegion::box(to_dvec3(a, "a"), to_dvec3(b, "b"), to_dvec3(c, "c"));
+          },
+          "a"_a, "b"_a = std::vector<double>{0, 0, 0}, "c"_a = std::vector<double>{0, 0, 0})
+      .def("__repr__", [](const EyeRegion& eyes) { return to_text(eyes); });
   py::class_<Camera>(module, "Camera", "A right-handed camera that looks from `eye` to `target`.")
       .def(py::init(&make_camera), "eye"_a, "target"_a, "up"_a = std::vector<double>{0, 0, 1},
            "projection"_a = "perspective", "fov_y_deg"_a = Camera{}.fov_y_deg, "height"_a = Camera{}.height,
-           "aspect"_a = Camera{}.aspect, "near"_a = Camera{}.near_plane, "far"_a = Camera{}.far_plane)
+           "aspect"_a = Camera{}.aspect, "near"_a = Camera{}.near_plane, "far"_a = Camera{}.far_plane,
+           "eyes"_a = EyeRegion{})
       .def("__repr__", [](const Camera& camera) { return to_text(camera); });
 }
 
@@ -161,7 +185,7 @@ void define_matrix_cameras(py::module_& module) {
       module, "MatrixCamera",
       "Any projective matrix: matrix @ (x, y, z, 1) is a point in clip space. The depth is 'minus_w_to_w', as in OpenGL, "
       "or 'zero_to_w', as in Vulkan, Direct3D and Metal. With parallel rays, 'less' or 'greater' is nearer.")
-      .def(py::init(&make_matrix_camera), "matrix"_a, "depth"_a, "nearer"_a = py::none(), "eye_radius"_a = 0.0)
+      .def(py::init(&make_matrix_camera), "matrix"_a, "depth"_a, "nearer"_a = py::none(), "eyes"_a = EyeRegion{})
       .def_static(
           "from_camera",
           [](const Camera& camera, const std::string& depth, const std::string& nearer) {

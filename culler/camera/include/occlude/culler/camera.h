@@ -22,6 +22,26 @@ enum class Method {
 
 enum class Projection { perspective, orthographic };
 
+/// Where the eye may be, relative to the eye of a camera: a ball, or a box. By default there is no room.
+struct EyeRegion {
+  double radius = 0;  ///< of the ball, in model units
+  std::array<glm::dvec3, 3>
+      half_edges{};  ///< of the box: its corners are all sums of them and their negatives. Any may be 0
+
+  /// All eyes no farther than `radius` from the camera's.
+  [[nodiscard]] static EyeRegion ball(double radius) { return {radius, {}}; }
+  /// A box with these half-edges around the camera's eye.
+  [[nodiscard]] static EyeRegion box(const glm::dvec3& a, const glm::dvec3& b = {}, const glm::dvec3& c = {}) {
+    return {0, {a, b, c}};
+  }
+
+  /// Whether there is one eye, the camera's own.
+  [[nodiscard]] bool is_point() const { return radius == 0 && half_edges == std::array<glm::dvec3, 3>{}; }
+  /// The greatest product of an eye of the region and the direction, up to rounding: how far the region reaches along a unit
+  /// vector.
+  [[nodiscard]] double reach(const glm::dvec3& direction) const;
+};
+
 /// A right-handed camera that looks from `eye` to `target`, with `up` towards the top of the picture. Positions and lengths
 /// are in model units. `up` need be neither a unit vector nor perpendicular to the line of sight.
 struct Camera {
@@ -34,6 +54,7 @@ struct Camera {
   double aspect = 16.0 / 9.0;                                  ///< width over height of the picture
   double near_plane = 0.1;                                     ///< distance of the near plane from the eye, model units
   double far_plane = std::numeric_limits<double>::infinity();  ///< as `near_plane`; infinite: no far plane
+  EyeRegion eyes{};                                            ///< where the eye may be, relative to `eye`
 
   /// The axes of the picture, orthonormal up to rounding. `forward` is the line of sight, with coordinates that are legal
   /// for the kernel.
@@ -65,7 +86,8 @@ void append_view_frustum(const Camera& camera, double depth, std::vector<HalfSpa
 /// 1. a number that is not finite (`far_plane` may be infinite) or is out of the kernel's legal range;
 /// 2. an eye at its target, or an `up` of zero or within 1e-9 radians of the line of sight;
 /// 3. fov_y_deg outside [0.001, 179], or aspect outside [1/65536, 65536];
-/// 4. height <= 0, near_plane <= 0 or far_plane <= near_plane.
+/// 4. height <= 0, near_plane <= 0 or far_plane <= near_plane;
+/// 5. eyes with a negative radius, or with both a radius and half-edges.
 [[nodiscard]] std::string fault(const Camera& camera);
 
 /// The clip volume is -w <= x <= w, -w <= y <= w, and of the depth z:
@@ -97,11 +119,10 @@ enum class Nearer {
 /// 5. Planes and covers leave room for a renderer in single precision that computes relative to the eye, or to something
 ///    near it, as those for Camera do. One that multiplies far-away coordinates by a matrix in floats is off by more. So is
 ///    the matrix, if it was made in floats from such coordinates: then it is not the camera that was meant.
-/// 6. `eye_radius` makes one frame hold for several eyes: all within that distance of the matrix's, with the same
-///    orientation and projection, that is all cameras matrix * translation(-e) with |e| <= eye_radius. Nothing that one of
-///    them shows is culled. For two eyes of one person, take the middle and half of their distance; for a matrix that comes
-///    later than the cull, how far the eye may move until then. By Method::cover alone. Less is hidden: what is hidden looks
-///    smaller by the radius, and nothing hides that is nearer than the near plane and the radius.
+/// 6. `eyes` makes one frame hold for all eyes of a region around the matrix's, with the same orientation and projection:
+///    for all cameras matrix * translation(-e) with e in the region. Nothing that one of them shows is culled. For two eyes
+///    of one person, take the middle and half of their distance; for a matrix that comes later than the cull, how far the
+///    eye may move until then. Less is hidden, and nothing hides that is nearer than the near plane and the region.
 /// 7. The near plane may have any direction. What hides must be drawn, that is, be beyond it. With a plane across the line
 ///    of sight, what it cuts hides as far as it is beyond. With an oblique one, a triangle hides only if all of it is
 ///    beyond.
@@ -110,7 +131,7 @@ struct MatrixCamera {
   ClipDepth depth = ClipDepth::minus_w_to_w;
   /// Must be said with parallel rays. With perspective the matrix tells, and a camera that says otherwise has a fault.
   Nearer nearer = Nearer::unsaid;
-  double eye_radius = 0;  ///< model units
+  EyeRegion eyes{};  ///< where the eye may be, relative to eye()
 
   /// From sixteen numbers, column after column: the memory of OpenGL and GLM, and that of Direct3D's row vectors times
   /// matrices stored row after row. REQUIRES: `numbers` points to 16 numbers.
@@ -154,9 +175,10 @@ struct MatrixCamera {
 };
 
 /// Appends the half-spaces of the clip volume: left, right, bottom, top, near and far.
-/// 1. Their intersection holds everything that the matrix shows from any eye within eye_radius, and that a renderer in
+/// 1. Their intersection holds everything that the matrix shows from any of `eyes`, and that a renderer in
 ///    single precision can draw of a model within `depth` of the eye. `depth` is an L1 distance, in model units.
-/// 2. Each plane lies outside the matrix's own by eye_radius and at least 2^-20 `depth`, and by more where the rows of the
+/// 2. Each plane lies outside the matrix's own by as far as `eyes` reach and at least 2^-20 `depth`, and by more where the
+/// rows of the
 ///    matrix nearly cancel in it, as in a far plane that is thousands of times as far as the near plane.
 /// 3. All their numbers are legal for the kernel. A normal has length 1 or less, up to rounding.
 /// 4. A plane that cuts off nothing is left out: the far plane of an infinite projection.
@@ -164,15 +186,13 @@ struct MatrixCamera {
 void append_view_frustum(const MatrixCamera& camera, double depth, std::vector<HalfSpace>& planes);
 
 /// Why the camera cannot be used; empty if it can. The faults are:
-/// 1. a number that is not finite, or above the kernel's legal range; an eye_radius that is negative or not legal;
+/// 1. a number that is not finite, or above the kernel's legal range; eyes with a fault as those of a Camera;
 /// 2. a matrix that is singular or nearly so: no eye, no direction, no depth;
 /// 3. a picture without extent or without bound;
 /// 4. parallel rays whose w is not positive, so that nothing shows, or without word of what is nearer;
 /// 5. word of what is nearer that the matrix contradicts;
 /// 6. an eye out of the kernel's legal range.
 [[nodiscard]] std::string fault(const MatrixCamera& camera);
-/// The same for a frame by this method. By Method::frusta, an eye_radius above 0 is a fault: shadows are from one point.
-[[nodiscard]] std::string fault(const MatrixCamera& camera, Method method);
 
 /// The pixels by which shadows must be taken smaller, so that a picture is the same with and without what they hide. A
 /// rasteriser with a grid of 1/256 pixel moves a border by up to 1/512 pixel on each axis, sqrt(2)/512 in all. The borders

@@ -108,7 +108,7 @@ class Culler {
   /// the view keeps its last frame.
   const CullResult& cull(const Camera& camera, const CullOptions& options, View& view) const;
 
-  /// Both for a camera that is a matrix. Throws std::invalid_argument for a camera with a fault(), the method's included.
+  /// Both for a camera that is a matrix. Throws std::invalid_argument for a camera with a fault().
   [[nodiscard]] CullResult cull(const MatrixCamera& camera, const CullOptions& options = {}) const;
   const CullResult& cull(const MatrixCamera& camera, const CullOptions& options, View& view) const;
 
