@@ -18,14 +18,16 @@ constexpr double kBorder = 1.0 / 6;
 
 /// Layers of a picture of several eyes. Ten cull nearly as much as any larger number, in less time. What the eyes move
 /// things by is proportional to the difference of nearnesses, and more things are far than near. So they are closer to each
-/// other where they are farther away: at the squares of equal steps.
+/// other where they are farther away: at the squares of equal steps. The farthest is beyond everything.
 FocusLayers layers_of(const ConservativeViewport& picture) {
   FocusLayers layers;
   if (!picture.is_of_region()) return layers;
+  constexpr double kRoundedUp = 1 + 0x1p-23;
+  const double least = std::min(1 / (2 * picture.depth()), picture.most_focus() / 2);
   layers.count = 10;
   for (std::size_t k = 0; k < layers.count; ++k) {
     const double step = static_cast<double>(k) / static_cast<double>(layers.count - 1);
-    layers.focus[k] = rounded_down(picture.most_focus() * step * step);
+    layers.focus[k] = static_cast<float>(least + (picture.most_focus() - least) * (step * step) / kRoundedUp);
   }
   return layers;
 }
@@ -57,7 +59,10 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   owners_.clear();
 }
 
-void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
+void CoverBuffer::keep_owners() {
+  owners_.assign(nearness_.size(), kNone);
+  sheets_.clear();
+}
 
 void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
   rasteriser_.project(mesh);
@@ -87,6 +92,11 @@ void CoverBuffer::add_sheet(const PixelRectangle& tiles, std::uint32_t id) {
   const auto left = tiles_nearer(tiles, [&](std::size_t tile) { return rasteriser_.nearness() + (tile - first_tile_); });
   if (!left) return;
   rasteriser_.draw(*left);
+  if (!owners_.empty() && is_of_region()) {
+    const std::span<const std::uint32_t> sheet = rasteriser_.sheet();
+    sheets_.push_back({id, {sheet.begin(), sheet.end()}});
+    id = static_cast<std::uint32_t>(sheets_.size() - 1);
+  }
   const auto across = static_cast<std::size_t>(left->x1 - left->x0);
   for (int y = left->y0; y < left->y1; ++y) {
     const std::size_t first = tile_at(left->x0, y);
@@ -161,6 +171,36 @@ CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
              : Gap::not_behind;
 }
 
+std::uint32_t CoverBuffer::owner(int first_tile, int x, int y) const {
+  const std::size_t tile = static_cast<std::size_t>(first_tile + y / kTile * tiles_across_ + x / kTile);
+  return owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
+}
+
+/// Runs of pixels in rows, of which those that lie above each other are one window.
+CoverBuffer::Windows CoverBuffer::windows(const kernel::Aabb& box) const {
+  const ProjectedBoxes boxes = seen(box);
+  const Footprint farther = footprint(boxes, 0);
+  const Footprint at = hides(farther) ? farther : footprint(boxes.nearer_layer, 0);
+  Windows found{boxes_.layers.focus[static_cast<std::size_t>(at.first_tile / boxes_.tiles_of_layer)], {}};
+  const PixelRectangle& r = at.pixels;
+  const auto add = [&](const Window& run) {
+    const auto below = std::ranges::find_if(found.windows, [&](const Window& w) {
+      return w.sheet == run.sheet && w.pixels.x0 == run.pixels.x0 && w.pixels.x1 == run.pixels.x1 &&
+             w.pixels.y1 == run.pixels.y0;
+    });
+    if (below == found.windows.end()) return found.windows.push_back(run);
+    below->pixels.y1 = run.pixels.y1;
+  };
+  for (int y = r.y0; y < r.y1; ++y) {
+    for (int x = r.x0, end = x; x < r.x1; x = end) {
+      const std::uint32_t sheet = owner(at.first_tile, x, y);
+      while (end < r.x1 && owner(at.first_tile, end, y) == sheet) ++end;
+      add({{x, y, end, y + 1}, sheet});
+    }
+  }
+  return found;
+}
+
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
   const ProjectedBoxes boxes = seen(box);
   const bool is_of_nearer_layer = is_of_region() && !hides(footprint(boxes, 0));
@@ -174,8 +214,7 @@ std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) con
   for (int y = r.y0; y < r.y1; ++y) {
     std::uint32_t last = kNone;
     for (int x = r.x0; x < r.x1; ++x) {
-      const std::size_t tile = static_cast<std::size_t>(at.first_tile) + tile_at(x / kTile, y / kTile);
-      const std::uint32_t id = owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
+      const std::uint32_t id = owner(0, x, y);
       const PixelBounds pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
                               {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
       const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else only the margin reaches it

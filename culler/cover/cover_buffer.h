@@ -98,6 +98,24 @@ class CoverBuffer {
   /// In ascending order of ids. REQUIRES: keep_owners() was called before what hides the box was added; hides(box).
   [[nodiscard]] std::vector<Owner> owners(const kernel::Aabb& box) const;
 
+  /// A sheet that was drawn into a picture of several eyes: triangles of a mesh.
+  struct DrawnSheet {
+    std::uint32_t id;  ///< of the mesh
+    std::vector<std::uint32_t> triangles;
+  };
+  /// Pixels of a layer that are closed by one sheet.
+  struct Window {
+    PixelRectangle pixels;
+    std::uint32_t sheet;
+  };
+  struct Windows {
+    double focus;  ///< of the layer
+    std::vector<Window> windows;
+  };
+  /// Windows that have all pixels of a box in one layer. REQUIRES: as owners(); the picture is of several eyes.
+  [[nodiscard]] Windows windows(const kernel::Aabb& box) const;
+  [[nodiscard]] const DrawnSheet& sheet(std::uint32_t i) const { return sheets_[i]; }
+
   [[nodiscard]] const ConservativeViewport& picture() const { return picture_; }
   /// The mesh that was added last, as it was drawn.
   [[nodiscard]] const SheetRasteriser& piece() const { return rasteriser_; }
@@ -121,6 +139,7 @@ class CoverBuffer {
   }
 
   [[nodiscard]] ProjectedBoxes seen(const kernel::Aabb& box) const;
+  [[nodiscard]] std::uint32_t owner(int first_tile, int x, int y) const;
 
   ConservativeViewport picture_;
   PixelPosition share_of_pixel_;  ///< the width and the height of a pixel, as shares of the height of the camera's picture
@@ -131,7 +150,8 @@ class CoverBuffer {
   std::size_t work_ = 0;
   std::vector<float> nearness_;        ///< of each pixel, layer after layer, tile after tile; -infinity while it is open
   std::vector<float> farthest_;        ///< of each tile, the least nearness of its pixels
-  std::vector<std::uint32_t> owners_;  ///< ids in the order of nearness_; empty unless they are kept
+  std::vector<std::uint32_t> owners_;  ///< ids, or numbers of sheets, in the order of nearness_; empty unless they are kept
+  std::vector<DrawnSheet> sheets_;     ///< of several eyes, as owners_
 };
 
 }  // namespace occlude::culler

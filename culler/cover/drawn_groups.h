@@ -2,10 +2,9 @@
 // What was drawn into a coarse picture, so that what hides a box can be named.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <vector>
 
 #include "cover/cover_buffer.h"
@@ -22,9 +21,9 @@ class DrawnGroups {
     groups_.resize(painter.groups() + std::size_t{1});
     groups_.back().source = source;
     const auto ids = memory.group.ids();
+    for (const std::uint32_t id : ids) groups_.back().polygons.push_back(painter.triangles().polygon(id));
     for (std::size_t t = 0; t < ids.size(); ++t) {
-      const std::optional<PixelBounds> places =
-          memory.buffer.is_of_region() ? PixelBounds{{0, 0}, {kEverywhere, kEverywhere}} : memory.buffer.piece().places(t);
+      const auto places = memory.buffer.piece().places(t);
       if (places) groups_.back().triangles.push_back({painter.triangles().polygon(ids[t]), *places});
     }
   }
@@ -33,11 +32,28 @@ class DrawnGroups {
   /// hides the box.
   template <class Visit>
   void visit_before(const CoverBuffer& buffer, const kernel::Aabb& box, const Visit& visit) const {
+    if (buffer.is_of_region()) {
+      for (const CoverBuffer::Window& window : buffer.windows(box).windows) {
+        const std::uint32_t source = groups_[buffer.sheet(window.sheet).id].source;
+        for (const std::uint32_t polygon : polygons(buffer, window)) visit(source, polygon);
+      }
+      return;
+    }
     for (const auto& [id, places] : buffer.owners(box)) {
       for (const Triangle& triangle : groups_[id].triangles) {
         if (meet(triangle.places, places)) visit(groups_[id].source, triangle.polygon);
       }
     }
+  }
+
+  /// Those whose triangles the sheet of a window has, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> polygons(const CoverBuffer& buffer, const CoverBuffer::Window& window) const {
+    const CoverBuffer::DrawnSheet& sheet = buffer.sheet(window.sheet);
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t t : sheet.triangles) found.push_back(groups_[sheet.id].polygons[t]);
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
 
  private:
@@ -47,11 +63,9 @@ class DrawnGroups {
   };
   struct Group {
     std::uint32_t source = 0;
-    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> polygons;  ///< of each triangle of the mesh
+    std::vector<Triangle> triangles;      ///< those that are in a sheet
   };
-
-  /// What the eyes of a region may move anywhere.
-  static constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
   static bool meet(const PixelBounds& a, const PixelBounds& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;

@@ -46,6 +46,8 @@ class SheetRasteriser {
 
   /// Finds where a sheet is in the picture. Returns false if it closes nothing, or so little that it is not worth drawing.
   [[nodiscard]] bool find(std::size_t sheet);
+  /// Its triangles.
+  [[nodiscard]] std::span<const std::uint32_t> sheet() const { return sheet_; }
   /// The tiles that hold all pixels which the sheet may close.
   [[nodiscard]] const PixelRectangle& tiles() const { return found_; }
   /// The sheet is nowhere nearer than this.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -16,6 +17,12 @@
 
 namespace occlude::culler {
 namespace {
+
+/// The vector whose product with `a` is 1, and with the others 0.
+glm::dvec3 dual(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 across = glm::cross(b, c);
+  return across / glm::dot(a, across);
+}
 
 /// Watches a frame, and names the polygons that hide each cull by cover.
 class CoverReplay {
@@ -36,15 +43,33 @@ class CoverReplay {
     const HierarchyNode& n = hierarchy_.nodes()[node];
     std::vector<std::uint32_t> polygons = polygons_before(n.box);
     if (corners_of(polygons) <= most_) {
-      witnesses_.push_back({{n.first, n.count}, n.box, std::move(polygons)});
+      add({n.first, n.count}, n.box, std::move(polygons));
     } else if (!n.is_leaf()) {
       prove(node + 1);
       prove(n.right);
     } else {
       for (std::uint32_t p = n.first; p < n.first + n.count; ++p) {
         const kernel::Aabb box = hierarchy_.soup().box(p);
-        witnesses_.push_back({{p, 1}, box, polygons_before(box)});
+        add({p, 1}, box, polygons_before(box));
       }
+    }
+  }
+
+  void add(const PolygonRange& range, const kernel::Aabb& box, std::vector<std::uint32_t> polygons) {
+    CoverWitness& witness = witnesses_.emplace_back(range, box, std::move(polygons));
+    if (!memory_.buffer.is_of_region()) return;
+    const CoverBuffer::Windows found = memory_.buffer.windows(box);
+    const ConservativeViewport& picture = memory_.buffer.picture();
+    // A point is the sum of these, times its distance along the line of sight and, but for the last, its slopes.
+    const glm::dvec3 right = dual(picture.right(), picture.up(), picture.forward()),
+                     up = dual(picture.up(), picture.forward(), picture.right()),
+                     forward = dual(picture.forward(), picture.right(), picture.up());
+    const double distance = 1 / found.focus, x = distance * glm::length(right), y = distance * glm::length(up);
+    witness.focus = {picture.eye() + distance * forward, glm::normalize(glm::cross(up, right)), glm::normalize(right)};
+    for (const CoverBuffer::Window& window : found.windows) {
+      const PixelPosition low = picture.slope(window.pixels.x0, window.pixels.y0);
+      const PixelPosition high = picture.slope(window.pixels.x1, window.pixels.y1);
+      witness.windows.push_back({x * low.x, y * low.y, x * high.x, y * high.y, drawn_.polygons(memory_.buffer, window)});
     }
   }
 

@@ -173,11 +173,28 @@ struct Witness {
   double margin = 0;
 };
 
+/// A plane on which the lines of sight of several eyes are named by where they cross it: at point + x right + y up, where
+/// up = right x normal. `right` and `up` are unit vectors, up to rounding; `normal` points away from the eyes.
+struct FocusPlane {
+  glm::dvec3 point{}, normal{}, right{};
+};
+
+/// The lines of sight that cross a FocusPlane at x0 <= x <= x1 and y0 <= y <= y1, and polygons in Hierarchy::soup() whose
+/// fans together, modulo 2, all these lines meet.
+struct CoverWindow {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  std::vector<std::uint32_t> polygons;
+};
+
 /// What hides a subtree that was culled by cover, or a part of the subtree.
 struct CoverWitness {
   PolygonRange range;                   ///< what is hidden, in Hierarchy::soup()
   kernel::Aabb box;                     ///< holds the range; all of it is hidden
   std::vector<std::uint32_t> polygons;  ///< what hides it, in Hierarchy::soup(), ascending
+  /// Of a perspective camera with several eyes: which of the polygons hide it together, and in which lines of sight. All
+  /// lines of sight to the box cross the plane in windows. A picture whose axes are not perpendicular has no such plane.
+  FocusPlane focus{};
+  std::vector<CoverWindow> windows;
 };
 
 struct CullStats {
