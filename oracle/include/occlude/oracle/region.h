@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Culls that hold for a region of eyes, proved as exactly as the questions of oracle.h are answered.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "occlude/oracle/oracle.h"
+#include "occlude/oracle/questions.h"
+
+namespace occlude::oracle {
+
+struct Ball {
+  Point center{};
+  double radius = 0;
+};
+
+/// Where the eye may be: in a ball, or in a box whose half edges may be any vectors.
+using EyeRegion = std::variant<Ball, Obb>;
+
+/// The plane on which lines of sight are named by where they cross it: the points point + x right + y up, with up = right x
+/// normal. `normal` points away from the eyes. `right` need not be a unit vector, nor perpendicular to `normal`.
+struct Focus {
+  Point point{}, normal{}, right{};
+};
+
+/// A set of triangles modulo 2: the fans of polygons, of which those that occur twice cancel each other. Its border are the
+/// edges that an odd number of triangles have; corners with equal coordinates are the same. With `drawn`, only the part in
+/// that half-space counts, and where its plane cuts the triangles is border, too. What a sheet derives from its polygons it
+/// derives once. Copies share it, and any number of threads may use them.
+class Sheet {
+ public:
+  explicit Sheet(const std::vector<Loop>& polygons, const std::optional<HalfSpaceCoefficients>& drawn = {});
+
+  [[nodiscard]] const std::vector<Loop>& polygons() const;
+  [[nodiscard]] const std::optional<HalfSpaceCoefficients>& drawn() const;
+
+  struct Prepared;
+  [[nodiscard]] const Prepared& prepared() const { return *prepared_; }
+
+ private:
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+/// The lines of sight that cross the focus plane at x0 <= x <= x1 and y0 <= y <= y1, and the sheet that all of them meet.
+struct Window {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  Sheet sheet;
+};
+
+/// Why a box is said to be hidden from every eye of the region.
+struct RegionWitness {
+  EyeRegion eyes;
+  Box box;
+  Focus focus;
+  std::vector<Window> windows;
+};
+
+/// What a witness fails to show. They are asked in this order, those of a window for one window after another.
+enum class RegionFault {
+  none,
+  refused,        ///< its numbers are bad
+  eyes_at_focus,  ///< not all eyes are strictly before the focus plane
+  eyes_at_box,    ///< not all eyes are strictly before all of the box, along the normal of the focus plane
+  uncovered,      ///< some line of sight to the box may cross the focus plane outside of all windows
+  eyes_at_sheet,  ///< the sheet meets the eyes
+  border_before,  ///< the border of the sheet meets a line through the window, not beyond the focus plane
+  border_beyond,  ///< the same, not before the focus plane
+  not_nearer,     ///< a line through the window meets the sheet at the depth of the nearest corner of the box
+  even,           ///< a line through the window meets the sheet an even number of times before that depth
+};
+
+struct RegionVerdict {
+  RegionFault fault = RegionFault::none;
+  std::size_t window = 0;  ///< of which the fault is, for those from eyes_at_sheet on
+  std::string reason;      ///< the fault in words. Empty when the box is proved to be hidden
+
+  [[nodiscard]] bool is_proved() const { return fault == RegionFault::none; }
+};
+
+/// Proves that every segment from an eye of the region to a point of the box meets a triangle of a sheet at a point strictly
+/// between its ends. All of this must hold:
+/// - The eyes are strictly before the focus plane and, along its normal, strictly before the box. The focus plane may lie
+///   before, across or behind the box: a line of sight is extended beyond the box as far as that plane.
+/// - The windows cover the bounding rectangle, in the axes of the focus plane, of where the lines of sight to the box cross
+/// it.
+/// - For each window: on every line from an eye through the window, as far as the depth of the nearest corner of the box,
+/// there
+///   is no point of the sheet's border; the sheet meets neither an eye nor, on these lines, that depth; and one of these
+///   lines meets it an odd number of times. Then all of them do, because the number changes by 1 only where a line passes
+///   the border, an eye or that depth.
+/// Exact for boxes of eyes, where touching is meeting. For a ball what is found to be proved is, and what is apart from the
+/// lines of sight by no more than rounding may be taken to meet them.
+[[nodiscard]] RegionVerdict judge(const RegionWitness& witness);
+
+}  // namespace occlude::oracle
