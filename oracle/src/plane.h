@@ -18,7 +18,8 @@ struct HalfSpace {
   N offset = N(0);
 
   /// Positive inside, zero on the plane, negative outside.
-  [[nodiscard]] N height(const Point& x) const { return normal * (vector_of<N>(x) - point) + offset; }
+  [[nodiscard]] N height(const Vector<N>& x) const { return normal * (x - point) + offset; }
+  [[nodiscard]] N height(const Point& x) const { return height(vector_of<N>(x)); }
 };
 
 /// The half-space that `definition.operator()<N>()` builds in the number type N. It is built in intervals at once, and in

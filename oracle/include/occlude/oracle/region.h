@@ -86,15 +86,12 @@ struct RegionVerdict {
 /// between its ends. All of this must hold:
 /// - The eyes are strictly before the focus plane and, along its normal, strictly before the box. The focus plane may lie
 ///   before, across or behind the box: a line of sight is extended beyond the box as far as that plane.
-/// - The windows cover the bounding rectangle, in the axes of the focus plane, of where the lines of sight to the box cross
-/// it.
-/// - For each window: on every line from an eye through the window, as far as the depth of the nearest corner of the box,
-/// there
-///   is no point of the sheet's border; the sheet meets neither an eye nor, on these lines, that depth; and one of these
-///   lines meets it an odd number of times. Then all of them do, because the number changes by 1 only where a line passes
-///   the border, an eye or that depth.
-/// Exact for boxes of eyes, where touching is meeting. For a ball what is found to be proved is, and what is apart from the
-/// lines of sight by no more than rounding may be taken to meet them.
+/// - The windows cover where the lines of sight to the box cross the focus plane: the bounding rectangle in its axes.
+/// - For each window, on all lines from an eye through it, as far as the depth of the nearest corner of the box: no point of
+///   the sheet's border; the sheet meets neither an eye nor that depth; and one line meets it an odd number of times. Then
+///   all do, because that number changes by one only where a line passes the border, an eye or that depth.
+/// Touching is meeting. Exact for boxes of eyes. A ball that is apart from the sheet by no more than rounding may be taken
+/// to touch it.
 [[nodiscard]] RegionVerdict judge(const RegionWitness& witness);
 
 }  // namespace occlude::oracle

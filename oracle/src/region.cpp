@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: MIT
+// The lines from the eyes E through a window P fill the hull of E and P up to the focus plane, and P + cone(P - E) beyond
+// it: p + t (p' - e) with t >= 0 is (1 + t) q - t e for some q of P. A polygon does not meet such a set when some plane
+// separates the two strictly, which is a question about its normal n (separation.h). For all corners q of the polygon,
+// corners p of the window and eyes e it asks
+//   up to the focus plane   n . (q - p) > 0 and n . (q - e) > 0,
+//   beyond it               n . (q - p) > 0 and n . (e - p) > 0.
+// The last may be asked without equality because n may be turned a little towards the eyes, which are strictly before P.
+#include "occlude/oracle/region.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <random>
+#include <span>
+#include <utility>
+
+#include "box.h"
+#include "eyes.h"
+#include "faults.h"
+#include "half_spaces.h"
+#include "separation.h"
+#include "sheet.h"
+
+namespace occlude::oracle {
+namespace {
+
+/// The half-spaces by which polygons are cut. `drawn` is that of the sheet, `nearer` is before the nearest corner of the
+/// box.
+enum class Cut { drawn, undrawn, nearer, farther, before_focus, beyond_focus };
+
+/// The set that a polygon may meet: the eyes, or lines through a window up to the focus plane or beyond it.
+enum class Part { eyes, before, beyond };
+
+/// What a witness is about, in one number type.
+template <class N>
+struct Setting {
+  Eyes<N> eyes;
+  Vector<N> origin, right, up, forward;  ///< of the focus plane
+  std::vector<Vector<N>> box;            ///< its corners
+
+  explicit Setting(const RegionWitness& witness)
+      : eyes(eyes_of<N>(witness.eyes)),
+        origin(vector_of<N>(witness.focus.point)),
+        right(vector_of<N>(witness.focus.right)),
+        up(CGAL::cross_product(right, vector_of<N>(witness.focus.normal))),
+        forward(CGAL::cross_product(up, right)),
+        box(std::visit([](const auto& kind) { return corners_of<N>(kind); }, witness.box)) {}
+
+  [[nodiscard]] Vector<N> at(const N& x, const N& y) const { return origin + x * right + y * up; }
+};
+
+/// The point x / w, w > 0.
+template <class N>
+struct Homogeneous {
+  Vector<N> x;
+  N w;
+};
+
+template <class N>
+std::vector<Homogeneous<N>> clipped(const std::vector<Homogeneous<N>>& polygon, const HalfSpace<N>& half_space) {
+  const auto height = [&](const Homogeneous<N>& q) {
+    return N(half_space.normal * (q.x - q.w * half_space.point) + q.w * half_space.offset);
+  };
+  std::vector<Homogeneous<N>> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Homogeneous<N>&p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const N a = height(p), b = height(q);
+    const CGAL::Sign of_a = certain_sign(a), of_b = certain_sign(b);
+    if (of_a != CGAL::NEGATIVE) result.push_back(p);
+    if (of_a == -of_b && of_a == CGAL::POSITIVE) result.push_back({a * q.x - b * p.x, a * q.w - b * p.w});
+    if (of_a == -of_b && of_a == CGAL::NEGATIVE) result.push_back({b * p.x - a * q.x, b * p.w - a * q.w});
+  }
+  return result;
+}
+
+/// A rectangle on the focus plane, in its axes.
+struct Rectangle {
+  std::array<double, 2> low, high;
+};
+
+Rectangle rectangle(const Window& window) { return {{window.x0, window.y0}, {window.x1, window.y1}}; }
+
+/// Whether the rectangle lies in the union of the windows. What the first of them leaves of it is up to four rectangles
+/// without their common sides with that window. Closing them changes nothing, because the other windows are closed.
+bool is_covered(Rectangle r, std::span<const Window> windows) {
+  for (; !windows.empty(); windows = windows.subspan(1)) {
+    const Rectangle w = rectangle(windows.front());
+    const auto meet = [&](std::size_t k) { return r.low[k] <= w.high[k] && w.low[k] <= r.high[k]; };
+    if (meet(0) && meet(1)) break;
+  }
+  if (windows.empty()) return false;
+  const Rectangle w = rectangle(windows.front());
+  for (std::size_t k = 0; k < 2; ++k) {
+    Rectangle rest = r;
+    rest.high[k] = w.low[k];
+    if (r.low[k] < w.low[k] && !is_covered(rest, windows.subspan(1))) return false;
+    rest = r;
+    rest.low[k] = w.high[k];
+    if (r.high[k] > w.high[k] && !is_covered(rest, windows.subspan(1))) return false;
+    r.low[k] = std::max(r.low[k], w.low[k]);
+    r.high[k] = std::min(r.high[k], w.high[k]);
+  }
+  return true;
+}
+
+constexpr HalfSpaceCoefficients kEverywhere{0, 0, 0, 1};
+
+/// A normal n, and a number that n . x does not exceed at any point x of a part.
+struct Bound {
+  Point normal;
+  Interval most;
+};
+
+/// A witness with sound numbers.
+class Judge {
+ public:
+  explicit Judge(const RegionWitness& witness) : witness_(witness), approximate_(witness) {
+    for (std::size_t i = 1; i < approximate_.box.size(); ++i) {
+      const auto farther_by = [&]<class N>() -> N { return in<N>().forward * (in<N>().box[i] - in<N>().box[nearest_]); };
+      if (sign_of(farther_by) == CGAL::NEGATIVE) nearest_ = i;
+    }
+  }
+
+  [[nodiscard]] RegionVerdict verdict() {
+    if (least_side_of_eyes(Cut::before_focus) != CGAL::POSITIVE) return {RegionFault::eyes_at_focus, 0, {}};
+    if (least_side_of_eyes(Cut::nearer) != CGAL::POSITIVE) return {RegionFault::eyes_at_box, 0, {}};
+    if (!is_shadow_covered()) return {RegionFault::uncovered, 0, {}};
+    for (std::size_t i = 0; i < witness_.windows.size(); ++i) {
+      window_ = &witness_.windows[i];
+      sheet_ = &window_->sheet.prepared();
+      bounds_ = {};
+      if (const RegionFault fault = fault_of_window(); fault != RegionFault::none) return {fault, i, {}};
+    }
+    return {};
+  }
+
+ private:
+  template <class N>
+  const Setting<N>& in() {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return approximate_;
+    } else {
+      if (!exact_) exact_.emplace(witness_);
+      return *exact_;
+    }
+  }
+
+  template <class N>
+  HalfSpace<N> half_space(Cut cut) {
+    const Setting<N>& setting = in<N>();
+    if (cut == Cut::before_focus) return {-setting.forward, setting.origin};
+    if (cut == Cut::beyond_focus) return {setting.forward, setting.origin};
+    if (cut == Cut::nearer) return {-setting.forward, setting.box[nearest_]};
+    if (cut == Cut::farther) return {setting.forward, setting.box[nearest_]};
+    const HalfSpace<N> h = CoefficientPlane{sheet_->drawn.value_or(kEverywhere)}.operator()<N>();
+    return cut == Cut::drawn ? h : HalfSpace<N>{-h.normal, h.point, -h.offset};
+  }
+
+  CGAL::Sign least_side_of_eyes(Cut cut) {
+    return decide([&]<class N>() { return least_side(in<N>().eyes, half_space<N>(cut)); });
+  }
+
+  /// Whether all lines of sight cross the focus plane where sign * coordinate `k` <= sign * bound. Let b be a corner of the
+  /// box and m the normal of the plane through b and the points with that coordinate. An eye e sees b at bound + m . (e - b)
+  /// over a positive number. For one eye the coordinate has its extremes at corners of the box.
+  bool is_shadow_within(std::size_t k, double bound, int sign) {
+    for (std::size_t i = 0; i < approximate_.box.size(); ++i) {
+      const CGAL::Sign side = decide([&]<class N>() {
+        const Setting<N>& s = in<N>();
+        const Vector<N>& b = s.box[i];
+        const Vector<N> to_b = b - s.at(k == 0 ? N(bound) : N(0), k == 0 ? N(0) : N(bound));
+        const Vector<N> m = k == 0 ? CGAL::cross_product(to_b, s.up) : CGAL::cross_product(s.right, to_b);
+        return least_side(s.eyes, HalfSpace<N>{N(-sign) * m, b});
+      });
+      if (side == CGAL::NEGATIVE) return false;
+    }
+    return true;
+  }
+
+  /// The windows cover a rectangle when they cover the smallest one around it whose sides lie on sides of windows.
+  bool is_shadow_covered() {
+    Rectangle shadow{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::vector<double> sides;
+      for (const Window& window : witness_.windows) {
+        sides.push_back(rectangle(window).low[k]);
+        sides.push_back(rectangle(window).high[k]);
+      }
+      std::ranges::sort(sides);
+      const auto high = std::ranges::partition_point(sides, [&](double x) { return !is_shadow_within(k, x, 1); });
+      const auto beyond_low = std::ranges::partition_point(sides, [&](double x) { return is_shadow_within(k, x, -1); });
+      if (high == sides.end() || beyond_low == sides.begin()) return false;
+      shadow.low[k] = *std::prev(beyond_low);
+      shadow.high[k] = *high;
+    }
+    return is_covered(shadow, witness_.windows);
+  }
+
+  RegionFault fault_of_window() {
+    const auto any = [&](const auto& polygons, Part part, const std::vector<Cut>& cuts) {
+      return std::ranges::any_of(polygons, [&](const auto& polygon) { return meets(polygon, part, cuts); });
+    };
+    const auto shows_border = [&](Part part) {
+      return any(sheet_->border, part, {Cut::drawn}) || any(sheet_->cut, part, {Cut::drawn, Cut::undrawn});
+    };
+    const auto reaches_box = [&](Part part) { return any(sheet_->triangles, part, {Cut::farther, Cut::drawn}); };
+    if (least_side_of_eyes(Cut::undrawn) != CGAL::POSITIVE && any(sheet_->triangles, Part::eyes, {Cut::drawn})) {
+      return RegionFault::eyes_at_sheet;
+    }
+    if (shows_border(Part::before)) return RegionFault::border_before;
+    if (shows_border(Part::beyond)) return RegionFault::border_beyond;
+    if (reaches_box(Part::before) || reaches_box(Part::beyond)) return RegionFault::not_nearer;
+    return is_odd() ? RegionFault::none : RegionFault::even;
+  }
+
+  /// Whether the polygon, cut by the half-spaces, meets the part. That of lines ends at the depth of the box.
+  bool meets(std::span<const Point> polygon, Part part, std::vector<Cut> cuts) {
+    if (part == Part::before) cuts.insert(cuts.begin(), {Cut::nearer, Cut::before_focus});
+    if (part == Part::beyond) cuts.insert(cuts.begin(), {Cut::nearer, Cut::beyond_focus});
+    const auto is_beyond = [&](const Bound& bound) {
+      return std::ranges::all_of(polygon, [&](const Point& q) {
+        return CGAL::certainly(vector_of<Interval>(bound.normal) * vector_of<Interval>(q) > bound.most);
+      });
+    };
+    const auto is_cut_away = [&](Cut cut) {
+      const HalfSpace<Interval> h = half_space<Interval>(cut);
+      return std::ranges::all_of(polygon, [&](const Point& q) { return CGAL::certainly(h.height(q) < 0); });
+    };
+    std::vector<Bound>& bounds = bounds_[static_cast<std::size_t>(part)];
+    if (std::ranges::any_of(cuts, is_cut_away) || std::ranges::any_of(bounds, is_beyond)) return false;
+    const Separation separation = decide([&]<class N>() {
+      std::vector<Homogeneous<N>> rest;
+      for (const Point& q : polygon) rest.push_back({vector_of<N>(q), N(1)});
+      for (const Cut cut : cuts) rest = clipped(rest, half_space<N>(cut));
+      return rest.empty() ? Separation{true, {}} : separate(differences(rest, part));
+    });
+    if (separation.normal) bounds.push_back({*separation.normal, most(*separation.normal, part)});
+    return !separation.exists;
+  }
+
+  /// The corners of the window.
+  template <class N>
+  std::vector<Vector<N>> corners() {
+    std::vector<Vector<N>> result;
+    for (const double x : {window_->x0, window_->x1}) {
+      for (const double y : {window_->y0, window_->y1}) result.push_back(in<N>().at(N(x), N(y)));
+    }
+    return result;
+  }
+
+  /// What a normal must be positive at if it is to separate the polygon from the part.
+  template <class N>
+  std::vector<Around<N>> differences(const std::vector<Homogeneous<N>>& polygon, Part part) {
+    const std::vector<Vector<N>> window = part == Part::eyes ? std::vector<Vector<N>>{} : corners<N>();
+    const Eyes<N>& region = in<N>().eyes;
+    std::vector<Around<N>> result;
+    for (const auto& [q, w] : polygon) {
+      for (const Vector<N>& p : window) result.push_back({q - w * p, N(0)});
+      if (part == Part::beyond) continue;
+      for (const Vector<N>& e : region.corners) result.push_back({q - w * e, w * region.radius});
+    }
+    if (part != Part::beyond) return result;
+    for (const Vector<N>& p : window) {
+      for (const Vector<N>& e : region.corners) result.push_back({e - p, region.radius});
+    }
+    return result;
+  }
+
+  /// A bound on normal . x at the points x of the part, where the normal separates something from it.
+  Interval most(const Point& normal, Part part) {
+    const Vector<Interval> n = vector_of<Interval>(normal);
+    Interval most = -std::numeric_limits<double>::infinity();
+    const auto hold = [&](const Interval& height) { most = std::max(most.sup(), height.sup()); };
+    if (part != Part::eyes) {
+      for (const Vector<Interval>& p : corners<Interval>()) hold(n * p);
+    }
+    if (part != Part::beyond) {
+      const Interval reach = approximate_.eyes.radius * CGAL::sqrt(n * n);
+      for (const Vector<Interval>& e : approximate_.eyes.corners) hold(n * e + reach);
+    }
+    return most;
+  }
+
+  /// Whether a line through the window meets the sheet an odd number of times before the depth of the box. Nearly every line
+  /// is in general position.
+  bool is_odd() {
+    constexpr int kLines = 100;
+    std::minstd_rand random(1);
+    for (int i = 0; i < kLines; ++i) {
+      const auto share = [&] { return static_cast<double>(random() >> 1U) * 0x1p-30; };
+      const double x = share(), y = share();
+      if (const std::optional<std::size_t> count = crossings(x, y)) return *count % 2 == 1;
+    }
+    return false;
+  }
+
+  /// How many triangles the line from the middle of the eyes through a point of the window crosses. Empty where it meets an
+  /// edge.
+  std::optional<std::size_t> crossings(double x, double y) {
+    std::size_t count = 0;
+    for (const Triangle& triangle : sheet_->triangles) {
+      const std::optional<bool> crosses = decide([&]<class N>() {
+        const auto between = [](double low, double high, double share) { return N(N(low) + N(share) * (N(high) - N(low))); };
+        const Vector<N> eye = vector_of<N>(middle()),
+                        through = in<N>().at(between(window_->x0, window_->x1, x), between(window_->y0, window_->y1, y));
+        return is_crossed<N>(triangle, eye, through - eye);
+      });
+      if (!crosses) return std::nullopt;
+      if (*crosses) ++count;
+    }
+    return count;
+  }
+
+  const Point& middle() const {
+    return std::visit([](const auto& kind) -> const Point& { return kind.center; }, witness_.eyes);
+  }
+
+  /// Whether the line crosses the triangle, where it is Cut::drawn, before the depth of the box. Empty if it meets an edge.
+  template <class N>
+  std::optional<bool> is_crossed(const Triangle& triangle, const Vector<N>& eye, const Vector<N>& along) {
+    std::array<Vector<N>, 3> to;
+    for (std::size_t i = 0; i < 3; ++i) to[i] = vector_of<N>(triangle[i]) - eye;
+    std::array<CGAL::Sign, 3> turns{};
+    N speed(0);  // by which the line goes through the plane of the triangle
+    for (std::size_t i = 0; i < 3; ++i) {
+      const N turn = along * CGAL::cross_product(to[i], to[(i + 1) % 3]);
+      turns[i] = certain_sign(turn);
+      speed += turn;
+    }
+    if (std::ranges::count(turns, CGAL::POSITIVE) > 0 && std::ranges::count(turns, CGAL::NEGATIVE) > 0) return false;
+    if (std::ranges::count(turns, CGAL::ZERO) > 0) return std::nullopt;
+    const CGAL::Sign sign = turns[0];
+    const N distance = to[0] * CGAL::cross_product(to[1], to[2]);  // of that plane, as a multiple of `speed`
+    if (certain_sign(distance) != sign) return false;
+    for (const Cut cut : {Cut::drawn, Cut::nearer}) {
+      const HalfSpace<N> h = half_space<N>(cut);
+      if (certain_sign(N(h.height(eye) * speed + distance * (h.normal * along))) != sign) return false;
+    }
+    return true;
+  }
+
+  const RegionWitness& witness_;
+  Setting<Interval> approximate_;
+  std::optional<Setting<Exact>> exact_;
+  std::size_t nearest_ = 0;  ///< the corner of the box
+  const Window* window_ = nullptr;
+  const Sheet::Prepared* sheet_ = nullptr;
+  std::array<std::vector<Bound>, 3> bounds_;  ///< of each part of the window
+};
+
+std::string fault_of(const EyeRegion& eyes) {
+  if (const Obb* box = std::get_if<Obb>(&eyes)) return strict_box_fault(*box);
+  const auto& [center, radius] = std::get<Ball>(eyes);
+  const std::array points{center, Point{radius, 0, 0}};
+  return radius < 0 ? "the radius is negative" : range_fault(points);
+}
+
+std::string fault_of(const Focus& focus) {
+  const std::array points{focus.point, focus.normal, focus.right};
+  if (std::string reason = range_fault(points); !reason.empty()) return reason;
+  const auto up = [&]<class N>() -> N {
+    return CGAL::cross_product(vector_of<N>(focus.right), vector_of<N>(focus.normal)).squared_length();
+  };
+  return sign_of(up) == CGAL::ZERO ? "the focus plane has no axes" : "";
+}
+
+std::string fault_of(const Window& window) {
+  const std::array points{Point{window.x0, window.y0, 0}, Point{window.x1, window.y1, 0}};
+  if (std::string reason = range_fault(points); !reason.empty()) return reason;
+  return window.x0 < window.x1 && window.y0 < window.y1 ? window.sheet.prepared().fault : "a window is empty";
+}
+
+/// Whether the numbers are sound.
+RegionVerdict check(const RegionWitness& witness) {
+  for (std::string reason : {fault_of(witness.eyes), strict_box_fault(witness.box), fault_of(witness.focus)}) {
+    if (!reason.empty()) return {RegionFault::refused, 0, std::move(reason)};
+  }
+  for (std::size_t i = 0; i < witness.windows.size(); ++i) {
+    if (std::string reason = fault_of(witness.windows[i]); !reason.empty())
+      return {RegionFault::refused, i, std::move(reason)};
+  }
+  return {};
+}
+
+std::string words(const RegionVerdict& verdict) {
+  const std::string window = "window " + std::to_string(verdict.window) + ": ";
+  switch (verdict.fault) {
+    case RegionFault::none:
+      return "";
+    case RegionFault::refused:
+      return verdict.reason;
+    case RegionFault::eyes_at_focus:
+      return "the eyes reach the focus plane";
+    case RegionFault::eyes_at_box:
+      return "the eyes reach the depth of the box";
+    case RegionFault::uncovered:
+      return "the windows do not cover what the box is seen through";
+    case RegionFault::eyes_at_sheet:
+      return window + "the eyes touch the sheet";
+    case RegionFault::border_before:
+      return window + "the border of the sheet shows before the focus plane";
+    case RegionFault::border_beyond:
+      return window + "the border of the sheet shows beyond the focus plane";
+    case RegionFault::not_nearer:
+      return window + "the sheet reaches the depth of the box";
+    case RegionFault::even:
+      return window + "the sheet is met an even number of times";
+  }
+  return "";
+}
+
+}  // namespace
+
+RegionVerdict judge(const RegionWitness& witness) {
+  const RoundUpward rounding;
+  RegionVerdict verdict = check(witness);
+  if (verdict.is_proved()) verdict = Judge(witness).verdict();
+  verdict.reason = words(verdict);
+  return verdict;
+}
+
+}  // namespace occlude::oracle
