@@ -112,6 +112,17 @@ struct Bound {
   Interval most;
 };
 
+template <class N>
+struct Sightline {
+  Vector<N> eye, along;
+};
+
+/// Corners of a polygon, and by what it is cut.
+struct Obstacle {
+  std::span<const Point> corners;
+  std::span<const Cut> cuts;
+};
+
 /// A witness with sound numbers.
 class Judge {
  public:
@@ -127,10 +138,7 @@ class Judge {
     if (least_side_of_eyes(Cut::nearer) != CGAL::POSITIVE) return {RegionFault::eyes_at_box, 0, {}};
     if (!is_shadow_covered()) return {RegionFault::uncovered, 0, {}};
     for (std::size_t i = 0; i < witness_.windows.size(); ++i) {
-      window_ = &witness_.windows[i];
-      sheet_ = &window_->sheet.prepared();
-      bounds_ = {};
-      if (const RegionFault fault = fault_of_window(); fault != RegionFault::none) return {fault, i, {}};
+      if (const RegionFault fault = fault_of(witness_.windows[i]); fault != RegionFault::none) return {fault, i, {}};
     }
     return {};
   }
@@ -197,47 +205,69 @@ class Judge {
     return is_covered(shadow, witness_.windows);
   }
 
-  RegionFault fault_of_window() {
-    const auto any = [&](const auto& polygons, Part part, const std::vector<Cut>& cuts) {
-      return std::ranges::any_of(polygons, [&](const auto& polygon) { return meets(polygon, part, cuts); });
-    };
-    const auto shows_border = [&](Part part) {
-      return any(sheet_->border, part, {Cut::drawn}) || any(sheet_->cut, part, {Cut::drawn, Cut::undrawn});
-    };
-    const auto reaches_box = [&](Part part) { return any(sheet_->triangles, part, {Cut::farther, Cut::drawn}); };
-    if (least_side_of_eyes(Cut::undrawn) != CGAL::POSITIVE && any(sheet_->triangles, Part::eyes, {Cut::drawn})) {
-      return RegionFault::eyes_at_sheet;
+  RegionFault fault_of(const Window& window) {
+    window_ = &window;
+    for (const Part part : {Part::before, Part::beyond}) {
+      for (Bound& bound : bounds(part)) bound.most = most(bound.normal, part);
     }
-    if (shows_border(Part::before)) return RegionFault::border_before;
-    if (shows_border(Part::beyond)) return RegionFault::border_beyond;
-    if (reaches_box(Part::before) || reaches_box(Part::beyond)) return RegionFault::not_nearer;
+    if (sheet_ != &window.sheet.prepared()) take(window.sheet.prepared());
+    const auto meet = [&](const std::vector<Obstacle>& obstacles, Part part) {
+      return std::ranges::any_of(obstacles, [&](const Obstacle& obstacle) { return meets(obstacle, part); });
+    };
+    if (meet(at_eyes_, Part::eyes)) return RegionFault::eyes_at_sheet;
+    if (meet(border_, Part::before)) return RegionFault::border_before;
+    if (meet(border_, Part::beyond)) return RegionFault::border_beyond;
+    if (meet(deep_, Part::before) || meet(deep_, Part::beyond)) return RegionFault::not_nearer;
     return is_odd() ? RegionFault::none : RegionFault::even;
   }
 
-  /// Whether the polygon, cut by the half-spaces, meets the part. That of lines ends at the depth of the box.
-  bool meets(std::span<const Point> polygon, Part part, std::vector<Cut> cuts) {
-    if (part == Part::before) cuts.insert(cuts.begin(), {Cut::nearer, Cut::before_focus});
-    if (part == Part::beyond) cuts.insert(cuts.begin(), {Cut::nearer, Cut::beyond_focus});
+  /// Finds what of a sheet lines through a window must not meet, but for what is cut away for certain.
+  void take(const Sheet::Prepared& sheet) {
+    using enum Cut;
+    static constexpr std::array kBorder{nearer, drawn};
+    static constexpr std::array kCut{nearer, drawn, undrawn};
+    static constexpr std::array kDepth{nearer, farther, drawn};
+    static constexpr std::array kDrawn{drawn};
+    sheet_ = &sheet;
+    const auto add = [&](std::vector<Obstacle>& obstacles, const auto& polygons, std::span<const Cut> cuts) {
+      for (const auto& polygon : polygons) {
+        const auto cuts_away = [&](Cut cut) { return is_cut_away(polygon, cut); };
+        if (std::ranges::none_of(cuts, cuts_away)) obstacles.push_back({polygon, cuts});
+      }
+    };
+    for (std::vector<Obstacle>* obstacles : {&border_, &deep_, &at_eyes_}) obstacles->clear();
+    add(border_, sheet.border, kBorder);
+    add(border_, sheet.cut, kCut);
+    add(deep_, sheet.triangles, kDepth);
+    if (least_side_of_eyes(undrawn) != CGAL::POSITIVE) add(at_eyes_, sheet.triangles, kDrawn);
+  }
+
+  bool is_cut_away(std::span<const Point> polygon, Cut cut) {
+    const HalfSpace<Interval> h = half_space<Interval>(cut);
+    return std::ranges::all_of(polygon, [&](const Point& q) { return CGAL::certainly(h.height(q) < 0); });
+  }
+
+  bool meets(const Obstacle& obstacle, Part part) {
     const auto is_beyond = [&](const Bound& bound) {
-      return std::ranges::all_of(polygon, [&](const Point& q) {
+      return std::ranges::all_of(obstacle.corners, [&](const Point& q) {
         return CGAL::certainly(vector_of<Interval>(bound.normal) * vector_of<Interval>(q) > bound.most);
       });
     };
-    const auto is_cut_away = [&](Cut cut) {
-      const HalfSpace<Interval> h = half_space<Interval>(cut);
-      return std::ranges::all_of(polygon, [&](const Point& q) { return CGAL::certainly(h.height(q) < 0); });
-    };
-    std::vector<Bound>& bounds = bounds_[static_cast<std::size_t>(part)];
-    if (std::ranges::any_of(cuts, is_cut_away) || std::ranges::any_of(bounds, is_beyond)) return false;
+    if (std::ranges::any_of(bounds(part), is_beyond)) return false;
+    if (part != Part::eyes && is_cut_away(obstacle.corners, cut_of(part))) return false;
     const Separation separation = decide([&]<class N>() {
       std::vector<Homogeneous<N>> rest;
-      for (const Point& q : polygon) rest.push_back({vector_of<N>(q), N(1)});
-      for (const Cut cut : cuts) rest = clipped(rest, half_space<N>(cut));
+      for (const Point& q : obstacle.corners) rest.push_back({vector_of<N>(q), N(1)});
+      for (const Cut cut : obstacle.cuts) rest = clipped(rest, half_space<N>(cut));
+      if (part != Part::eyes) rest = clipped(rest, half_space<N>(cut_of(part)));
       return rest.empty() ? Separation{true, {}} : separate(differences(rest, part));
     });
-    if (separation.normal) bounds.push_back({*separation.normal, most(*separation.normal, part)});
+    if (separation.normal) bounds(part).push_back({*separation.normal, most(*separation.normal, part)});
     return !separation.exists;
   }
+
+  static Cut cut_of(Part part) { return part == Part::before ? Cut::before_focus : Cut::beyond_focus; }
+  std::vector<Bound>& bounds(Part part) { return bounds_[static_cast<std::size_t>(part)]; }
 
   /// The corners of the window.
   template <class N>
@@ -267,19 +297,20 @@ class Judge {
     return result;
   }
 
-  /// A bound on normal . x at the points x of the part, where the normal separates something from it.
+  /// A bound on normal . x at the points x of the part. Infinite where there may be none.
   Interval most(const Point& normal, Part part) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const Vector<Interval> n = vector_of<Interval>(normal);
-    Interval most = -std::numeric_limits<double>::infinity();
-    const auto hold = [&](const Interval& height) { most = std::max(most.sup(), height.sup()); };
-    if (part != Part::eyes) {
-      for (const Vector<Interval>& p : corners<Interval>()) hold(n * p);
+    double of_window = -kInfinity, of_eyes = -kInfinity, least_of_eyes = kInfinity;
+    const Interval reach = approximate_.eyes.radius * CGAL::sqrt(n * n);
+    for (const Vector<Interval>& e : approximate_.eyes.corners) {
+      of_eyes = std::max(of_eyes, Interval(n * e + reach).sup());
+      least_of_eyes = std::min(least_of_eyes, Interval(n * e - reach).inf());
     }
-    if (part != Part::beyond) {
-      const Interval reach = approximate_.eyes.radius * CGAL::sqrt(n * n);
-      for (const Vector<Interval>& e : approximate_.eyes.corners) hold(n * e + reach);
-    }
-    return most;
+    if (part == Part::eyes) return of_eyes;
+    for (const Vector<Interval>& p : corners<Interval>()) of_window = std::max(of_window, Interval(n * p).sup());
+    if (part == Part::before) return std::max(of_eyes, of_window);
+    return of_window < least_of_eyes ? of_window : kInfinity;
   }
 
   /// Whether a line through the window meets the sheet an odd number of times before the depth of the box. Nearly every line
@@ -295,30 +326,42 @@ class Judge {
     return false;
   }
 
-  /// How many triangles the line from the middle of the eyes through a point of the window crosses. Empty where it meets an
-  /// edge.
+  /// How many triangles the line crosses. Empty where it meets an edge.
   std::optional<std::size_t> crossings(double x, double y) {
+    const auto [eye, along] = line<Interval>(x, y);
+    std::array<HalfSpace<Interval>, 2> through{HalfSpace<Interval>{CGAL::cross_product(along, approximate_.right), eye},
+                                               {CGAL::cross_product(along, approximate_.up), eye}};
     std::size_t count = 0;
     for (const Triangle& triangle : sheet_->triangles) {
-      const std::optional<bool> crosses = decide([&]<class N>() {
-        const auto between = [](double low, double high, double share) { return N(N(low) + N(share) * (N(high) - N(low))); };
-        const Vector<N> eye = vector_of<N>(middle()),
-                        through = in<N>().at(between(window_->x0, window_->x1, x), between(window_->y0, window_->y1, y));
-        return is_crossed<N>(triangle, eye, through - eye);
-      });
+      const auto is_aside = [&](const HalfSpace<Interval>& plane) {
+        const std::array heights{plane.height(triangle[0]), plane.height(triangle[1]), plane.height(triangle[2])};
+        return std::ranges::all_of(heights, [](const Interval& h) { return h.inf() > 0; }) ||
+               std::ranges::all_of(heights, [](const Interval& h) { return h.sup() < 0; });
+      };
+      if (std::ranges::any_of(through, is_aside)) continue;
+      const std::optional<bool> crosses = decide([&]<class N>() { return is_crossed(triangle, line<N>(x, y)); });
       if (!crosses) return std::nullopt;
       if (*crosses) ++count;
     }
     return count;
   }
 
+  /// The line from the middle of the eyes through a point of the window, whose place is given by two shares of its sides.
+  template <class N>
+  Sightline<N> line(double x, double y) {
+    const auto between = [](double low, double high, double share) { return N(N(low) + N(share) * (N(high) - N(low))); };
+    const Vector<N> eye = vector_of<N>(middle());
+    return {eye, in<N>().at(between(window_->x0, window_->x1, x), between(window_->y0, window_->y1, y)) - eye};
+  }
+
   const Point& middle() const {
     return std::visit([](const auto& kind) -> const Point& { return kind.center; }, witness_.eyes);
   }
 
-  /// Whether the line crosses the triangle, where it is Cut::drawn, before the depth of the box. Empty if it meets an edge.
+  /// Whether the line crosses the triangle, where it is drawn, before the depth of the box. Empty if it meets an edge.
   template <class N>
-  std::optional<bool> is_crossed(const Triangle& triangle, const Vector<N>& eye, const Vector<N>& along) {
+  std::optional<bool> is_crossed(const Triangle& triangle, const Sightline<N>& line) {
+    const auto& [eye, along] = line;
     std::array<Vector<N>, 3> to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = vector_of<N>(triangle[i]) - eye;
     std::array<CGAL::Sign, 3> turns{};
@@ -346,7 +389,8 @@ class Judge {
   std::size_t nearest_ = 0;  ///< the corner of the box
   const Window* window_ = nullptr;
   const Sheet::Prepared* sheet_ = nullptr;
-  std::array<std::vector<Bound>, 3> bounds_;  ///< of each part of the window
+  std::vector<Obstacle> border_, deep_, at_eyes_;  ///< of the sheet, those that no line, and no eye, may meet
+  std::array<std::vector<Bound>, 3> bounds_;       ///< of each part, with normals that were found for other windows, too
 };
 
 std::string fault_of(const EyeRegion& eyes) {

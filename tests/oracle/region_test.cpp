@@ -5,11 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "occlude/fuzz/random.h"
 #include "occlude/oracle/cover.h"
+#include "oracle/region_scenes.h"
 #include "oracle/vocabulary.h"
 
 namespace occlude::oracle {
@@ -286,6 +290,100 @@ TEST(Region, RefusesBadNumbers) {
               w.windows[0].sheet = Sheet({wall(4, 2)}, HalfSpaceCoefficients{kNan, 0, 0, 0});
             }),
             "a number is not finite");
+}
+
+/// What is proved to be hidden is hidden from each eye that is tried, as the judge of single eyes finds it.
+TEST(Region, WhatIsProvedIsHiddenOnExactLines) {
+  std::map<RegionFault, int> count;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    RegionScenes scenes(seed);
+    const RegionScene scene = scenes.next();
+    const RegionFault fault = judge(scene.witness()).fault;
+    ++count[fault];
+    if (fault != RegionFault::none) continue;
+    Polygons polygons;
+    for (const Polygons& sheet : scene.sheets) polygons.insert(polygons.end(), sheet.begin(), sheet.end());
+    for (int i = 0; i < 50; ++i) {
+      const Point e = scenes.eye(scene.eyes), b = scenes.point(scene.box);
+      ASSERT_EQ(relation_to_cover({e}, polygons, Aabb{b, b}, scene.drawn).relation, kInside)
+          << seed << ": from " << e[0] << ' ' << e[1] << ' ' << e[2] << " to " << b[0] << ' ' << b[1] << ' ' << b[2];
+    }
+  }
+  EXPECT_GT(count[RegionFault::none], 500);
+  for (const RegionFault fault : {RegionFault::uncovered, RegionFault::eyes_at_sheet, RegionFault::border_before,
+                                  RegionFault::border_beyond, RegionFault::not_nearer, RegionFault::even}) {
+    EXPECT_GT(count[fault], 5) << static_cast<int>(fault);
+  }
+}
+
+/// Axes exchanged, one reversed, a power of two as the scale, and whole numbers added: all of it is exact.
+struct Copy {
+  std::array<std::size_t, 3> axes;
+  std::size_t mirrored;  ///< this axis; none if it is 3
+  double scale;
+  Point place;
+
+  [[nodiscard]] bool turns_over() const {
+    const bool is_even = axes[1] == (axes[0] + 1) % 3;
+    return is_even == (mirrored < 3);
+  }
+  [[nodiscard]] Point vector(const Point& v) const {
+    Point result{};
+    for (std::size_t k = 0; k < 3; ++k) result[k] = (k == mirrored ? -1 : 1) * scale * v[axes[k]];
+    return result;
+  }
+  [[nodiscard]] Point point(const Point& p) const { return plus(vector(p), 1, place); }
+};
+
+RegionScene copy(const RegionScene& scene, const Copy& how) {
+  RegionScene result = scene;
+  if (Ball* ball = std::get_if<Ball>(&result.eyes)) *ball = {how.point(ball->center), how.scale * ball->radius};
+  if (Obb* box = std::get_if<Obb>(&result.eyes)) {
+    box->center = how.point(box->center);
+    for (Point& half_edge : box->half_edges) half_edge = how.vector(half_edge);
+  }
+  const Point a = how.point(scene.box.min), b = how.point(scene.box.max);
+  for (std::size_t k = 0; k < 3; ++k) result.box.min[k] = std::min(a[k], b[k]), result.box.max[k] = std::max(a[k], b[k]);
+  result.focus = {how.point(scene.focus.point), how.vector(scene.focus.normal), how.vector(scene.focus.right)};
+  if (scene.drawn) {
+    const auto& [x, y, z, offset] = *scene.drawn;
+    const Point normal = how.vector({x, y, z});
+    result.drawn =
+        HalfSpaceCoefficients{normal[0], normal[1], normal[2], how.scale * how.scale * offset - dot(normal, how.place)};
+  }
+  for (Polygons& sheet : result.sheets) {
+    for (Loop& loop : sheet) {
+      for (Point& corner : loop) corner = how.point(corner);
+    }
+  }
+  // The second axis is a product of two vectors.
+  for (auto& [x0, y0, x1, y1] : result.rectangles) {
+    if (how.turns_over()) y0 = -std::exchange(y1, -y0);
+    for (double* y : {&y0, &y1}) *y /= how.scale;
+  }
+  return result;
+}
+
+TEST(Region, CopiesHaveTheVerdictOfTheOriginal) {
+  const std::vector<Copy> copies{{{1, 2, 0}, 3, 1, {}},
+                                 {{0, 1, 2}, 1, 1, {}},
+                                 {{2, 1, 0}, 0, 0x1p-30, {}},
+                                 {{0, 1, 2}, 3, 0x1p20, {}},
+                                 {{0, 1, 2}, 3, 1, {4096, -512, 8}},
+                                 {{1, 0, 2}, 3, 4, {-64, 96, 1 << 20}}};
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const RegionScene scene = RegionScenes(seed).next();
+    const RegionVerdict verdict = judge(scene.witness());
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+      EXPECT_EQ(judge(copy(scene, copies[i]).witness()).reason, verdict.reason) << seed << ", copy " << i;
+    }
+    const auto& [low, high] = scene.box;
+    Obb oriented{plus(low, 0.5, plus(high, -1, low)), {}};
+    for (std::size_t k = 0; k < 3; ++k) oriented.half_edges[k][k] = (high[k] - low[k]) / 2;
+    RegionWitness witness = scene.witness();
+    witness.box = oriented;
+    EXPECT_EQ(judge(witness).reason, verdict.reason) << seed << ", oriented";
+  }
 }
 
 }  // namespace region_test

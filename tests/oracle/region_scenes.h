@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Random witnesses of culls for regions of eyes, about half of them nearly right: sheets of a few triangles between the eyes
+// and a box, and windows around what is seen of it. All coordinates in space are multiples of 1/64.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "occlude/fuzz/random.h"
+#include "occlude/oracle/region.h"
+
+namespace occlude::oracle {
+
+struct RegionScene {
+  EyeRegion eyes;
+  Aabb box;
+  Focus focus;
+  std::optional<HalfSpaceCoefficients> drawn;
+  std::vector<std::vector<Loop>> sheets;
+  std::vector<std::array<double, 4>> rectangles;
+  std::vector<std::size_t> sheet_of;  ///< for each rectangle
+
+  [[nodiscard]] RegionWitness witness() const {
+    std::vector<Sheet> prepared;
+    for (const std::vector<Loop>& polygons : sheets) prepared.emplace_back(polygons, drawn);
+    RegionWitness result{eyes, box, focus, {}};
+    for (std::size_t i = 0; i < rectangles.size(); ++i) {
+      const auto& [x0, y0, x1, y1] = rectangles[i];
+      result.windows.push_back({x0, y0, x1, y1, prepared[sheet_of[i]]});
+    }
+    return result;
+  }
+};
+
+inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// a + factor b
+inline Point plus(const Point& a, double factor, const Point& b) {
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+
+class RegionScenes {
+ public:
+  explicit RegionScenes(std::uint64_t seed) : random_(seed) {}
+
+  RegionScene next() {
+    RegionScene scene;
+    scene.eyes = eyes();
+    const double x = at(4, 9), y = at(-1, 1), z = at(-1, 1);
+    scene.box = {{x, y, z}, {x + at(0, 1), y + at(0, 0.75), z + at(0, 0.75)}};
+    scene.focus = {{at(1.5, 10), at(-1, 1), at(-1, 1)}, {1, tilt(), tilt()}, {tilt(), -1, tilt()}};
+    if (random_.chance(0.4)) scene.drawn = HalfSpaceCoefficients{1, 0, 0, random_.chance(0.8) ? -1.5 : -at(1.5, 4)};
+    const std::size_t sheets = 1 + random_.index(2);
+    for (std::size_t i = 0; i < sheets; ++i) scene.sheets.push_back(sheet(y, z));
+    add_windows(scene);
+    return scene;
+  }
+
+  /// An eye of the region: often a corner, or on the border.
+  Point eye(const EyeRegion& eyes) {
+    if (const Obb* box = std::get_if<Obb>(&eyes)) {
+      Point e = box->center;
+      for (const Point& half_edge : box->half_edges) e = plus(e, share(), half_edge);
+      return e;
+    }
+    const auto& [center, radius] = std::get<Ball>(eyes);
+    Point direction{random_.real(-1, 1), random_.real(-1, 1), random_.real(-1, 1)};
+    const double size = dot(direction, direction);
+    if (random_.chance(0.2) || size == 0) {
+      const Point axis{random_.chance(0.5) ? 1. : 0., 0, 0};
+      return plus(center, random_.chance(0.5) ? radius : -radius, axis);
+    }
+    return plus(center, (1 - 0x1p-40) * radius / std::sqrt(size), direction);
+  }
+
+  Point point(const Aabb& box) {
+    Point p = box.min;
+    for (std::size_t k = 0; k < 3; ++k) p[k] += (box.max[k] - box.min[k]) * (share() + 1) / 2;
+    return p;
+  }
+
+ private:
+  double at(double low, double high) {
+    return random_.integer(static_cast<int>(64 * low), static_cast<int>(64 * high)) / 64.;
+  }
+  double tilt() { return random_.chance(0.5) ? 0 : at(-0.25, 0.25); }
+  /// From -1 to 1, in eighths.
+  double share() { return random_.chance(0.5) ? (random_.chance(0.5) ? 1 : -1) : random_.integer(-8, 8) / 8.; }
+
+  EyeRegion eyes() {
+    const Point center{at(-0.25, 0.25), at(-0.25, 0.25), at(-0.25, 0.25)};
+    const double size = random_.chance(0.7) ? 0.125 : 0.5;
+    if (random_.chance(0.3)) return Ball{center, at(0, size)};
+    Obb box{center, {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (random_.chance(0.3)) continue;
+      box.half_edges[k][k] = at(0, size);
+      if (random_.chance(0.3)) box.half_edges[k][(k + 1) % 3] = at(-size, size) / 2;
+    }
+    return box;
+  }
+
+  /// A net of squares across the x axis around (y, z) and a fan of what one sees there, now and then with something wrong.
+  std::vector<Loop> sheet(double y, double z) {
+    constexpr std::size_t kNet = 3;
+    const double x = at(1.5, 4.5), size = at(0.5, 2.5);
+    std::array<std::array<Point, kNet>, kNet> net;
+    for (std::size_t i = 0; i < kNet; ++i) {
+      for (std::size_t j = 0; j < kNet; ++j) {
+        net[i][j] = {x + at(-0.5, 0.5), y + size * (static_cast<double>(i) - 1) + at(-0.25, 0.25),
+                     z + size * (static_cast<double>(j) - 1) + at(-0.25, 0.25)};
+        for (std::size_t k = 1; k < 3; ++k) net[i][j][k] = std::floor(64 * net[i][j][k]) / 64;
+      }
+    }
+    std::vector<Loop> polygons;
+    for (std::size_t i = 0; i + 1 < kNet; ++i) {
+      for (std::size_t j = 0; j + 1 < kNet; ++j) {
+        polygons.push_back({net[i][j], net[i + 1][j], net[i + 1][j + 1], net[i][j + 1]});
+      }
+    }
+    if (random_.chance(0.1)) polygons.pop_back();
+    if (random_.chance(0.05)) polygons.push_back({{0, 0, 0}, {0, 0.5, 0}, {0, 0, at(-1, 1)}});
+    if (random_.chance(0.1)) polygons.push_back({polygons[0][0], polygons[0][1], {x, y + at(-2, 2), z + at(-2, 2)}});
+    if (random_.chance(0.1)) polygons.push_back({{x + 4, 9, 0}, {x + 4, -9, at(-9, 9)}, {x + 4, -9, 9}});
+    return polygons;
+  }
+
+  void add_windows(RegionScene& scene) {
+    const Point &n = scene.focus.normal, &right = scene.focus.right, up = cross(right, n), forward = cross(up, right);
+    std::array<double, 2> low{1e9, 1e9}, high{-1e9, -1e9};
+    for (int i = 0; i < 256; ++i) {
+      const Point e = eye(scene.eyes), b = point(scene.box);
+      const Point to = plus(b, -1, e), from = plus(scene.focus.point, -1, e);
+      const Point p = plus(plus(e, dot(forward, from) / dot(forward, to), to), -1, scene.focus.point);
+      // p = x right + y up, and up is at right angles to right
+      const std::array<double, 2> axes{dot(p, right) / dot(right, right), dot(p, up) / dot(up, up)};
+      for (std::size_t k = 0; k < 2; ++k) {
+        low[k] = std::min(low[k], axes[k]);
+        high[k] = std::max(high[k], axes[k]);
+      }
+    }
+    const double margin = random_.chance(0.1) ? -0x1p-6 : 0x1p-6;
+    const int columns = random_.integer(1, 2), rows = random_.integer(1, 2);
+    const auto side = [&](std::size_t k, int i, int of) {
+      return low[k] - margin + (high[k] - low[k] + 2 * margin) * i / of;
+    };
+    for (int i = 0; i < columns; ++i) {
+      for (int j = 0; j < rows; ++j) {
+        scene.rectangles.push_back({side(0, i, columns), side(1, j, rows), side(0, i + 1, columns), side(1, j + 1, rows)});
+        scene.sheet_of.push_back(random_.index(scene.sheets.size()));
+      }
+    }
+  }
+
+  fuzz::Random random_;
+};
+
+}  // namespace occlude::oracle
