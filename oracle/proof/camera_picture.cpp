@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <utility>
@@ -91,7 +92,41 @@ oracle::Picture picture(const culler::MatrixCamera& camera, double outward) {
 dvec3 eye_of(const culler::Camera& camera) { return camera.eye; }
 dvec3 eye_of(const culler::MatrixCamera& camera) { return camera.eye(); }
 
+dvec3 eye_of(const AnyCamera& camera) {
+  return std::visit([](const auto& c) { return eye_of(c); }, camera);
+}
+
 oracle::Point position(const dvec3& v) { return {v.x, v.y, v.z}; }
+dvec3 vector(const oracle::Point& p) { return {p[0], p[1], p[2]}; }
+
+/// How far the eyes reach from their middle along a vector, times its length. More than it may be wrong by rounding.
+double reach(const oracle::EyeRegion& eyes, const dvec3& along) {
+  double sum = 0;
+  if (const auto* ball = std::get_if<oracle::Ball>(&eyes)) {
+    sum = ball->radius * glm::length(along);
+  } else {
+    for (const oracle::Point& half_edge : std::get<oracle::Obb>(eyes).half_edges) {
+      sum +=
+          std::fabs(glm::dot(vector(half_edge), along)) + kRounded * glm::dot(glm::abs(vector(half_edge)), glm::abs(along));
+    }
+  }
+  return (1 + kRounded) * sum;
+}
+
+dvec3 middle_of(const oracle::EyeRegion& eyes) {
+  return std::visit([](const auto& kind) { return vector(kind.center); }, eyes);
+}
+
+/// Moves half-spaces that belong to one eye, outward to hold those of all eyes, or inward to lie in all of them.
+void move(std::vector<HalfSpaceCoefficients>& half_spaces, const dvec3& from, const oracle::EyeRegion& eyes,
+          double outward) {
+  for (auto& [a, b, c, offset] : half_spaces) {
+    const dvec3 normal(a, b, c), middle = middle_of(eyes);
+    const double terms = sum_of_magnitudes(normal) * (sum_of_magnitudes(from) + sum_of_magnitudes(middle));
+    const double distance = reach(eyes, normal) + kRounded * (terms + std::fabs(offset));
+    offset += glm::dot(normal, from - middle) + std::copysign(distance, outward);
+  }
+}
 
 /// Parallel rays run along the direction that the culler uses, so both take the same exact numbers.
 oracle::Viewpoint to_viewpoint(const culler::Camera& camera) {
@@ -109,30 +144,38 @@ oracle::Viewpoint viewpoint_of(const AnyCamera& camera) {
   return std::visit([](const auto& c) { return to_viewpoint(c); }, camera);
 }
 
-oracle::Picture picture_of(const AnyCamera& camera, double outward) {
-  return std::visit([&](const auto& c) { return picture(c, outward); }, camera);
+oracle::Picture picture_of(const AnyCamera& camera, double outward, const Eyes& eyes) {
+  oracle::Picture result = std::visit([&](const auto& c) { return picture(c, outward); }, camera);
+  if (eyes) {
+    for (auto* half_spaces : {&result.sides, &result.depth}) move(*half_spaces, eye_of(camera), *eyes, outward);
+  }
+  return result;
 }
 
-double depth_of(const oracle::Aabb& model, const AnyCamera& camera) {
-  const oracle::Point eye = position(std::visit([](const auto& c) { return eye_of(c); }, camera));
+double depth_of(const oracle::Aabb& model, const AnyCamera& camera, const Eyes& eyes) {
+  const oracle::Point eye = position(eyes ? middle_of(*eyes) : eye_of(camera));
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     sum += std::max(std::fabs(model.min[axis] - eye[axis]), std::fabs(model.max[axis] - eye[axis]));
+    dvec3 unit(0);
+    unit[static_cast<int>(axis)] = 1;
+    if (eyes) sum += reach(*eyes, unit);
   }
   return sum;
 }
 
-bool may_draw_beyond(const std::array<double, 4>& plane, const AnyCamera& camera, const oracle::Aabb& model) {
-  const oracle::Picture picture = picture_of(camera, kRendererRounds * depth_of(model, camera));
+bool may_draw_beyond(const std::array<double, 4>& plane, const AnyCamera& camera, const oracle::Aabb& model,
+                     const Eyes& eyes) {
+  const oracle::Picture picture = picture_of(camera, kRendererRounds * depth_of(model, camera, eyes), eyes);
   std::vector<HalfSpaceCoefficients> both{{-plane[0], -plane[1], -plane[2], -plane[3]}};
   both.insert(both.end(), picture.sides.begin(), picture.sides.end());
   both.insert(both.end(), picture.depth.begin(), picture.depth.end());
   return oracle::relation_to_half_spaces(both, model).relation != Relation::outside;
 }
 
-HalfSpaceCoefficients drawn(const AnyCamera& camera, const oracle::Aabb& model) {
+HalfSpaceCoefficients drawn(const AnyCamera& camera, const oracle::Aabb& model, const Eyes& eyes) {
   constexpr double kLeast = 0x1p-100, kMost = 0x1p100;
-  HalfSpaceCoefficients near = picture_of(camera, -kRendererRounds * depth_of(model, camera)).depth.front();
+  HalfSpaceCoefficients near = picture_of(camera, -kRendererRounds * depth_of(model, camera, eyes), eyes).depth.front();
   double& offset = near[3];
   if (offset != 0 && std::fabs(offset) < kLeast) offset = -kLeast;  // inward
   if (std::fabs(offset) > kMost) {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
+#include <utility>
 
 #include "border.h"
 #include "cases/case_line.h"
@@ -91,6 +93,39 @@ std::array<double, 3> key(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 std::array<double, 3> key(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
+/// The member "eyes" of a cull that holds for a region.
+Eyes eyes_in(const Json& object) {
+  if (!object.contains("eyes")) return std::nullopt;
+  const Json& eyes = object["eyes"];
+  if (!eyes.is_object()) throw LineError("\"eyes\": expected an object");
+  if (object.contains("eye")) throw LineError("both \"eye\" and \"eyes\"");
+  if (eyes.contains("radius") && eyes.contains("half_edges"))
+    throw LineError("\"eyes\": both \"radius\" and \"half_edges\"");
+  const oracle::Point center = to_oracle(vec3(member(eyes, "center"), "center"));
+  if (eyes.contains("radius")) return oracle::Ball{center, number(eyes["radius"], "radius")};
+  const std::vector<kernel::Vec3> half_edges = vec3s(member(eyes, "half_edges"), "half_edges");
+  if (half_edges.size() != 3) throw LineError("\"half_edges\": expected three vectors");
+  return oracle::Obb{center, {to_oracle(half_edges[0]), to_oracle(half_edges[1]), to_oracle(half_edges[2])}};
+}
+
+bool contains(const oracle::EyeRegion& eyes, const oracle::Point& eye) {
+  return std::visit([&](const auto& kind) { return oracle::contains(kind, eye); }, eyes);
+}
+
+oracle::Focus focus_of(const Json& object) {
+  const Json& focus = member(object, "focus");
+  const auto vector = [&](const char* name) { return to_oracle(vec3(member(focus, name), name)); };
+  return {vector("point"), vector("normal"), vector("right")};
+}
+
+std::array<double, 4> rectangle_of(const Json& window) {
+  const Json& rect = member(window, "rect");
+  if (!rect.is_array() || rect.size() != 4) throw LineError("\"rect\": expected [x0, y0, x1, y1]");
+  std::array<double, 4> sides{};
+  for (std::size_t i = 0; i < 4; ++i) sides[i] = number(rect[i], "rect");
+  return sides;
+}
+
 /// Compares polygons vertex by vertex. A polygon is given by its index in the soup or by its vertices.
 struct LessByVertices {
   culler::SoupView soup;
@@ -162,20 +197,26 @@ std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size
   if (!lie_in(box, first, count)) return "the triangles are not in the box";
 
   const double margin = margin_of(object);
+  const oracle::Viewpoint expected = viewpoint_of(camera);
+  const Eyes eyes = eyes_in(object);
+  if (eyes && expected.at_infinity) return "a region of eyes is for perspective";
+  if (eyes && !contains(*eyes, expected.value)) return "the frame's eye is not in the region";
   if (by == "view") {
     const auto plane = plane_of(object);
     if (std::string fault = oracle::refute_view_cull(plane, to_oracle(box), margin); !fault.empty()) return fault;
-    return may_draw_beyond(plane, camera, model_) ? "the plane cuts what the camera shows (is --size that of the walk?)"
-                                                  : "";
+    return may_draw_beyond(plane, camera, model_, eyes)
+               ? "the plane cuts what the camera shows (is --size that of the walk?)"
+               : "";
   }
   if (by != "shadow" && by != "cover") return "\"by\": expected \"view\", \"shadow\" or \"cover\"";
 
+  if (by == "cover" && margin != 0) return "a cover has no margin";
+  if (by == "cover" && eyes) return fault_of_region({*eyes, to_oracle(box), focus_of(object), {}}, object, camera);
+  if (eyes) return "a shadow is not for a region of eyes";
   const kernel::Viewpoint view = viewpoint(object);
-  const oracle::Viewpoint said = to_oracle(view), expected = viewpoint_of(camera);
+  const oracle::Viewpoint said = to_oracle(view);
   if (said.at_infinity != expected.at_infinity || said.value != expected.value) return "the viewpoint is not the frame's";
-  if (by == "cover") {
-    return margin == 0 ? fault_of_cover(member(object, "polygons"), view, camera, box) : "a cover has no margin";
-  }
+  if (by == "cover") return fault_of_cover(member(object, "polygons"), view, camera, box);
   std::vector<oracle::Shadow> shadows;
   for (const Json& described : occluders_of(object)) {
     if (std::string fault = fault_of_occluder(described, camera, first, count); !fault.empty()) return fault;
@@ -188,13 +229,43 @@ std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size
 
 std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint& view, const AnyCamera& camera,
                                    const Box& box) const {
+  std::size_t vertices = 0;
+  const auto [cover, fault] = cover_of(polygons, vertices);
+  if (!fault.empty()) return fault;
+  const oracle::Answer answer = oracle::relation_to_cover(to_oracle(view), cover, to_oracle(box), drawn(camera, model_));
+  if (!answer.refusal.empty()) return answer.refusal;
+  return answer.relation == oracle::Relation::inside ? "" : "the polygons do not hide the box";
+}
+
+std::string Prover::fault_of_region(oracle::RegionWitness witness, const Json& object, const AnyCamera& camera) const {
+  const Json& windows = member(object, "windows");
+  if (!windows.is_array()) throw LineError("\"windows\": expected a list");
+  if (windows.size() > render::kMostWitnessWindows)
+    throw LineError(fmt::format("\"windows\": more than {}", render::kMostWitnessWindows));
+  const oracle::HalfSpaceCoefficients beyond_near = drawn(camera, model_, witness.eyes);
+  std::map<Json, oracle::Sheet> sheets;  // windows side by side have the same polygons
+  std::size_t vertices = 0;
+  for (const Json& window : windows) {
+    const auto [x0, y0, x1, y1] = rectangle_of(window);
+    const Json& polygons = member(window, "polygons");
+    auto found = sheets.find(polygons);
+    if (found == sheets.end()) {
+      const auto [cover, fault] = cover_of(polygons, vertices);
+      if (!fault.empty()) return fault;
+      found = sheets.emplace(polygons, oracle::Sheet(cover, beyond_near)).first;
+    }
+    witness.windows.push_back({x0, y0, x1, y1, found->second});
+  }
+  return oracle::judge(witness).reason;
+}
+
+Prover::CoverOrFault Prover::cover_of(const Json& polygons, std::size_t& vertices) const {
   if (!polygons.is_array()) throw LineError("\"polygons\": expected a list of numbers of polygons");
   std::vector<oracle::Loop> cover;
-  std::size_t vertices = 0;
   for (const Json& named : polygons) {
     const std::optional<std::uint32_t> p = polygon_of(named);
-    if (!p) return "no such polygon";
-    if (!hierarchy_.soup().is_opaque(*p)) return "a see-through polygon hides nothing";
+    if (!p) return {{}, "no such polygon"};
+    if (!hierarchy_.soup().is_opaque(*p)) return {{}, "a see-through polygon hides nothing"};
     oracle::Loop& loop = cover.emplace_back();
     for (const std::uint32_t index : hierarchy_.soup().loop(*p)) {
       loop.push_back(key(hierarchy_.soup().vertices[index]));
@@ -203,9 +274,7 @@ std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint
     if (vertices > render::kMostWitnessVertices)
       throw LineError(fmt::format("\"polygons\": more than {} vertices", render::kMostWitnessVertices));
   }
-  const oracle::Answer answer = oracle::relation_to_cover(to_oracle(view), cover, to_oracle(box), drawn(camera, model_));
-  if (!answer.refusal.empty()) return answer.refusal;
-  return answer.relation == oracle::Relation::inside ? "" : "the polygons do not hide the box";
+  return {std::move(cover), ""};
 }
 
 std::optional<std::uint32_t> Prover::polygon_of(const Json& named) const {

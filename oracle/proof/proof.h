@@ -17,6 +17,7 @@
 #include "cases/json_input.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/oracle/oracle.h"
+#include "occlude/oracle/region.h"
 
 namespace occlude::proof {
 
@@ -57,6 +58,9 @@ class Prover {
   /// - By cover: each point of the box has an opaque polygon of the list strictly between it and the frame's viewpoint.
   ///   Only the part of a polygon that the renderer certainly draws counts. The polygons may be culled themselves, because
   ///   nothing hides the first polygon that a ray meets.
+  /// Of a cull for a region of eyes, to which the frame's eye belongs, all of this must hold for a camera with the frame's
+  /// axes at each of these eyes. Shadows are not for regions, and what a cover of one must show is said in
+  /// occlude/oracle/region.h.
   [[nodiscard]] Proof prove(std::string_view line) const;
 
  private:
@@ -72,6 +76,16 @@ class Prover {
   [[nodiscard]] bool lie_in(const Box& box, std::size_t first, std::size_t count) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
   [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
+  /// The polygons of a cover, or why there are none. Their vertices add to `vertices`, of which a line may have a limited
+  /// number.
+  struct CoverOrFault {
+    std::vector<oracle::Loop> cover;
+    std::string fault;
+  };
+  [[nodiscard]] CoverOrFault cover_of(const nlohmann::json& polygons, std::size_t& vertices) const;
+  /// Why the windows on the line do not hide the box of the witness from its eyes. Empty when they do.
+  [[nodiscard]] std::string fault_of_region(oracle::RegionWitness witness, const nlohmann::json& object,
+                                            const AnyCamera& camera) const;
   /// Why the polygons do not hide the box together. Empty when they do.
   [[nodiscard]] std::string fault_of_cover(const nlohmann::json& polygons, const kernel::Viewpoint& view,
                                            const AnyCamera& camera, const Box& box) const;

@@ -79,27 +79,24 @@ struct Rectangle {
   std::array<double, 2> low, high;
 };
 
-Rectangle rectangle(const Window& window) { return {{window.x0, window.y0}, {window.x1, window.y1}}; }
-
-/// Whether the rectangle lies in the union of the windows. What the first of them leaves of it is up to four rectangles
-/// without their common sides with that window. Closing them changes nothing, because the other windows are closed.
-bool is_covered(Rectangle r, std::span<const Window> windows) {
-  for (; !windows.empty(); windows = windows.subspan(1)) {
-    const Rectangle w = rectangle(windows.front());
-    const auto meet = [&](std::size_t k) { return r.low[k] <= w.high[k] && w.low[k] <= r.high[k]; };
-    if (meet(0) && meet(1)) break;
+/// Whether the rectangle, whose sides lie on sides of windows, is in the union of the windows. Between two neighbouring
+/// sides of windows, those that are there are there from end to end. REQUIRES: the windows are sorted by y0.
+bool is_covered(const Rectangle& r, std::span<const Rectangle> windows) {
+  std::vector<double> sides{r.low[0], r.high[0]};
+  for (const Rectangle& window : windows) {
+    for (const double x : {window.low[0], window.high[0]}) {
+      if (r.low[0] < x && x < r.high[0]) sides.push_back(x);
+    }
   }
-  if (windows.empty()) return false;
-  const Rectangle w = rectangle(windows.front());
-  for (std::size_t k = 0; k < 2; ++k) {
-    Rectangle rest = r;
-    rest.high[k] = w.low[k];
-    if (r.low[k] < w.low[k] && !is_covered(rest, windows.subspan(1))) return false;
-    rest = r;
-    rest.low[k] = w.high[k];
-    if (r.high[k] > w.high[k] && !is_covered(rest, windows.subspan(1))) return false;
-    r.low[k] = std::max(r.low[k], w.low[k]);
-    r.high[k] = std::min(r.high[k], w.high[k]);
+  std::ranges::sort(sides);
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    std::optional<double> reached;  // from the lower side of the rectangle on
+    for (const Rectangle& window : windows) {
+      if (window.low[0] > sides[i] || window.high[0] < sides[i + 1]) continue;
+      const double from = reached.value_or(r.low[1]);
+      if (window.low[1] <= from && from <= window.high[1]) reached = window.high[1];
+    }
+    if (!reached || *reached < r.high[1]) return false;
   }
   return true;
 }
@@ -188,13 +185,12 @@ class Judge {
 
   /// The windows cover a rectangle when they cover the smallest one around it whose sides lie on sides of windows.
   bool is_shadow_covered() {
+    std::vector<Rectangle> windows;
+    for (const auto& [x0, y0, x1, y1, sheet] : witness_.windows) windows.push_back({{x0, y0}, {x1, y1}});
     Rectangle shadow{};
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<double> sides;
-      for (const Window& window : witness_.windows) {
-        sides.push_back(rectangle(window).low[k]);
-        sides.push_back(rectangle(window).high[k]);
-      }
+      for (const Rectangle& window : windows) sides.insert(sides.end(), {window.low[k], window.high[k]});
       std::ranges::sort(sides);
       const auto high = std::ranges::partition_point(sides, [&](double x) { return !is_shadow_within(k, x, 1); });
       const auto beyond_low = std::ranges::partition_point(sides, [&](double x) { return is_shadow_within(k, x, -1); });
@@ -202,7 +198,8 @@ class Judge {
       shadow.low[k] = *std::prev(beyond_low);
       shadow.high[k] = *high;
     }
-    return is_covered(shadow, witness_.windows);
+    std::ranges::sort(windows, {}, [](const Rectangle& window) { return window.low[1]; });
+    return is_covered(shadow, windows);
   }
 
   RegionFault fault_of(const Window& window) {
@@ -455,6 +452,15 @@ std::string words(const RegionVerdict& verdict) {
 }
 
 }  // namespace
+
+bool contains(const Ball& ball, const Point& point) {
+  if (!fault_of(ball).empty()) return false;
+  const RoundUpward rounding;
+  const auto beyond = [&]<class N>() -> N {
+    return difference<N>(ball.center, point).squared_length() - N(ball.radius) * N(ball.radius);
+  };
+  return sign_of(beyond) != CGAL::POSITIVE;
+}
 
 RegionVerdict judge(const RegionWitness& witness) {
   const RoundUpward rounding;

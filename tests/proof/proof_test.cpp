@@ -322,6 +322,113 @@ TEST_F(CoverCull, CountsWhatIsDrawn) {
   EXPECT_EQ(fault("5", box, camera), "the polygons do not hide the box");
 }
 
+/// Seen from |x|, |y|, |z| <= 1/4, a square at x = 6 is behind the two halves of a wall at x = 2, and passes it where |y|,
+/// |z|
+/// <= 1/2. A slope between the two begins at x = 1/2. The last polygon is see-through.
+class RegionCull : public testing::Test {
+ protected:
+  RegionCull() {
+    culler::add(soup_, {{2, -2, -2}, {2, 0, -2}, {2, 0, 2}, {2, -2, 2}});
+    culler::add(soup_, {{2, 0, -2}, {2, 2, -2}, {2, 2, 2}, {2, 0, 2}});
+    culler::add(soup_, {{0.5, -9, 1}, {0.5, 9, 1}, {4, 9, -2.5}, {4, -9, -2.5}});
+    culler::add(soup_, {{6, -1, -1}, {6, 1, -1}, {6, 1, 1}, {6, -1, 1}});
+    culler::add(soup_, {{-3, -9, -9}, {3, 9, -9}, {3, 9, 9}, {-3, -9, 9}});
+    soup_.see_through = {0, 0, 0, 0, 1};
+  }
+
+  [[nodiscard]] std::string fault(const std::string& eyes, const std::string& rest) const {
+    const auto hierarchy = culler::Hierarchy::build(soup_, {.leaf_size = 1});
+    const Prover prover(hierarchy, {1, [this](std::size_t) { return camera_; }});
+    std::uint32_t p = 0;
+    while (hierarchy.original(p) != 3) ++p;
+    return prover
+        .prove(fmt::format(
+            R"({{"frame":0,"eyes":{},"box":{{"min":[6,-1,-1],"max":[6,1,1]}},"triangles":[{},2],"focus":{{"point":[2,0,0],"normal":[1,0,0],"right":[0,-1,0]}},{}}})",
+            eyes, hierarchy.first_triangle(p), rest))
+        .failure;
+  }
+  [[nodiscard]] std::string fault_of_cover(const std::string& eyes, const std::string& windows) const {
+    return fault(eyes, R"("by":"cover","windows":[)" + windows + "]");
+  }
+
+  PolygonSoup soup_;
+  Camera camera_ = looking_along_x(60, 1);
+  const std::string ball_ = R"({"center":[0,0,0],"radius":0.25})",
+                    cube_ = R"({"center":[0,0,0],"half_edges":[[0.25,0,0],[0,0.25,0],[0,0,0.25]]})";
+};
+
+TEST_F(RegionCull, IsProvedByTheOracle) {
+  constexpr const char* kSeam = "window 0: the border of the sheet shows before the focus plane";
+  constexpr const char* kUncovered = "the windows do not cover what the box is seen through";
+  const std::string whole = R"({"rect":[-0.51,-0.51,0.51,0.51],"polygons":[0,1]})";
+  EXPECT_EQ(fault_of_cover(ball_, whole), "");
+  EXPECT_EQ(fault_of_cover(cube_, R"({"rect":[-0.6,-0.6,0.6,0.6],"polygons":[1,0]})"), "");
+  EXPECT_EQ(fault_of_cover(cube_, whole), kUncovered);
+  EXPECT_EQ(fault_of_cover(ball_, R"({"rect":[-0.51,-0.51,0.51,0.51],"polygons":[0]})"), kSeam);
+  EXPECT_EQ(
+      fault_of_cover(
+          ball_, R"({"rect":[0.125,-0.51,0.51,0.51],"polygons":[0]},{"rect":[-0.51,-0.51,0.125,0.51],"polygons":[0,1]})"),
+      "")
+      << "the first axis is -y";
+  EXPECT_EQ(fault_of_cover(ball_, ""), kUncovered);
+  EXPECT_EQ(fault_of_cover(ball_, R"({"rect":[-0.51,-0.51,0.51,0.51],"polygons":[0,4]})"),
+            "a see-through polygon hides nothing");
+  EXPECT_EQ(fault_of_cover(ball_, R"({"rect":[-0.51,-0.51,0.51,0.51],"polygons":[9]})"), "no such polygon");
+  EXPECT_EQ(fault_of_cover(R"({"center":[0,0,0],"radius":-1})", whole), "the frame's eye is not in the region");
+  EXPECT_EQ(fault_of_cover(R"({"center":[0,0.25,0],"radius":0.25})", whole), kUncovered);
+  EXPECT_EQ(fault_of_cover(R"({"center":[0,0.25,0],"radius":0.125})", whole), "the frame's eye is not in the region");
+  camera_.projection = culler::Projection::orthographic;
+  EXPECT_EQ(fault_of_cover(ball_, whole), "a region of eyes is for perspective");
+}
+
+/// The slope is met between x = 1.2 and 1.9, and begins at z = 1, above all lines, for eyes whose near plane is there.
+TEST_F(RegionCull, CountsWhatIsDrawnForAllEyes) {
+  const std::string slope = R"({"rect":[-0.51,-0.51,0.51,0.51],"polygons":[2]})";
+  EXPECT_EQ(fault_of_cover(ball_, slope), "");
+  camera_.near_plane = 0.7;
+  EXPECT_EQ(fault_of_cover(R"({"center":[0,0,0],"radius":0.125})", slope), "");
+  EXPECT_EQ(fault_of_cover(ball_, slope), "");
+  camera_.near_plane = 0.9;
+  EXPECT_EQ(fault_of_cover(R"({"center":[0,0,0],"radius":0.125})", slope), "");
+  EXPECT_EQ(fault_of_cover(ball_, slope), "window 0: the border of the sheet shows before the focus plane");
+}
+
+TEST_F(RegionCull, PlanesAreOutsideOfAllPictures) {
+  const auto view = [&](const std::string& eyes, const std::string& plane) {
+    return fault(eyes, R"("by":"view","plane":)" + plane);
+  };
+  EXPECT_EQ(view(ball_, "[-1,0,0,5]"), kCuts);
+  camera_.target = {-1, 0, 0};  // it looks away
+  EXPECT_EQ(view(ball_, "[-1,0,0,5]"), "");
+  EXPECT_EQ(view(ball_, "[-1,0,0,0.2]"), "");
+  EXPECT_EQ(view(ball_, "[-1,0,0,0.1]"), kCuts) << "what an eye at 1/4 shows begins at 0.15";
+  EXPECT_EQ(view(cube_, "[-1,0,0,0.1]"), kCuts);
+  EXPECT_EQ(view(R"({"center":[0,0,0],"half_edges":[[0.1875,0,0],[0,0,0],[0,0,0]]})", "[-1,0,0,0.1]"), "");
+}
+
+TEST_F(RegionCull, RefusesWhatIsNoWitness) {
+  const std::string window = R"({"rect":[-1,-1,1,1],"polygons":[0,1]})";
+  for (const char* eyes : {"0", "{}", R"({"radius":1})", R"({"center":[0,0,0]})", R"({"center":[0,0],"radius":1})",
+                           R"({"center":[0,0,0],"radius":"1"})", R"({"center":[0,0,0],"half_edges":[[1,0,0]]})",
+                           R"({"center":[0,0,0],"radius":1,"half_edges":[[1,0,0],[0,0,0],[0,0,0]]})"}) {
+    EXPECT_THROW(fault_of_cover(eyes, window), LineError) << eyes;
+  }
+  for (const char* line :
+       {R"("by":"cover")", R"("by":"cover","windows":1)", R"("by":"cover","windows":[1])",
+        R"("by":"cover","windows":[{"polygons":[]}])", R"("by":"cover","windows":[{"rect":[0,0,1],"polygons":[]}])",
+        R"("by":"cover","windows":[{"rect":[0,0,1,1]}])", R"("by":"cover","windows":[{"rect":[0,0,1,1],"polygons":[-1]}])",
+        R"("by":"cover","windows":[],"eye":[0,0,0])"}) {
+    EXPECT_THROW(fault(ball_, line), LineError) << line;
+  }
+  EXPECT_EQ(fault_of_cover(R"({"center":["nan",0,0],"radius":1})", window), "the frame's eye is not in the region");
+  EXPECT_EQ(fault_of_cover(R"({"center":[0,0,0],"radius":"inf"})", window), "the frame's eye is not in the region");
+  EXPECT_EQ(fault_of_cover(ball_, R"({"rect":[-1,-1,"inf",1],"polygons":[0,1]})"), "a number is not finite");
+  EXPECT_EQ(fault_of_cover(ball_, R"({"rect":[1,-1,-1,1],"polygons":[0,1]})"), "a window is empty");
+  std::string many = window;
+  for (int i = 0; i < 16384; ++i) many += "," + window;
+  EXPECT_THROW(fault_of_cover(ball_, many), LineError);
+}
+
 TEST(NearPlaneProof, IsExact) {
   const Camera camera = looking_along_x(60, 1);         // near 0.1
   const oracle::Aabb model{{-500, -8, -4}, {5, 8, 4}};  // 512 deep

@@ -22,6 +22,9 @@ struct Ball {
 /// Where the eye may be: in a ball, or in a box whose half edges may be any vectors.
 using EyeRegion = std::variant<Ball, Obb>;
 
+/// Whether the point is in the ball, exactly. A ball that judge() refuses contains nothing. REQUIRES: the point is finite.
+[[nodiscard]] bool contains(const Ball& ball, const Point& point);
+
 /// The plane on which lines of sight are named by where they cross it: the points point + x right + y up, with up = right x
 /// normal. `normal` points away from the eyes. `right` need not be a unit vector, nor perpendicular to `normal`.
 struct Focus {

@@ -23,6 +23,9 @@ inline constexpr std::size_t kMostCoverVertices = 1024;
 /// stops what takes longer.
 inline constexpr std::size_t kMostWitnessVertices = 65536;
 
+/// Windows of a witness for a region of eyes. To see whether so many cover a rectangle takes up to a second.
+inline constexpr std::size_t kMostWitnessWindows = 16384;
+
 /// For example "16 MiB"; rounded down to whole MiB.
 [[nodiscard]] std::string in_mebibytes(std::uint64_t bytes);
 
