@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random witnesses of culls for regions of eyes, about half of them nearly right: sheets of a few triangles between the eyes
-// and a box, and windows around what is seen of it. All coordinates in space are multiples of 1/64.
+// and a box, and windows around what is seen of it. All coordinates in space are multiples of 1/64. In a third of them they
+// are multiples of 1/4, and so are the sides of the windows, on planes across the x axis: there much touches.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +50,7 @@ inline Point plus(const Point& a, double factor, const Point& b) {
 
 class RegionScenes {
  public:
-  explicit RegionScenes(std::uint64_t seed) : random_(seed) {}
+  explicit RegionScenes(std::uint64_t seed) : random_(seed), fineness_(random_.chance(0.3) ? 4 : 64) {}
 
   RegionScene next() {
     RegionScene scene;
@@ -88,22 +89,23 @@ class RegionScenes {
   }
 
  private:
+  [[nodiscard]] bool is_coarse() const { return fineness_ == 4; }
   double at(double low, double high) {
-    return random_.integer(static_cast<int>(64 * low), static_cast<int>(64 * high)) / 64.;
+    return random_.integer(static_cast<int>(fineness_ * low), static_cast<int>(fineness_ * high)) / fineness_;
   }
-  double tilt() { return random_.chance(0.5) ? 0 : at(-0.25, 0.25); }
+  double tilt() { return is_coarse() || random_.chance(0.5) ? 0 : at(-0.25, 0.25); }
   /// From -1 to 1, in eighths.
   double share() { return random_.chance(0.5) ? (random_.chance(0.5) ? 1 : -1) : random_.integer(-8, 8) / 8.; }
 
   EyeRegion eyes() {
     const Point center{at(-0.25, 0.25), at(-0.25, 0.25), at(-0.25, 0.25)};
-    const double size = random_.chance(0.7) ? 0.125 : 0.5;
+    const double size = !is_coarse() && random_.chance(0.7) ? 0.125 : 0.5;
     if (random_.chance(0.3)) return Ball{center, at(0, size)};
     Obb box{center, {}};
     for (std::size_t k = 0; k < 3; ++k) {
       if (random_.chance(0.3)) continue;
       box.half_edges[k][k] = at(0, size);
-      if (random_.chance(0.3)) box.half_edges[k][(k + 1) % 3] = at(-size, size) / 2;
+      if (random_.chance(0.3)) box.half_edges[k][(k + 1) % 3] = at(-size, size);
     }
     return box;
   }
@@ -117,7 +119,7 @@ class RegionScenes {
       for (std::size_t j = 0; j < kNet; ++j) {
         net[i][j] = {x + at(-0.5, 0.5), y + size * (static_cast<double>(i) - 1) + at(-0.25, 0.25),
                      z + size * (static_cast<double>(j) - 1) + at(-0.25, 0.25)};
-        for (std::size_t k = 1; k < 3; ++k) net[i][j][k] = std::floor(64 * net[i][j][k]) / 64;
+        for (std::size_t k = 1; k < 3; ++k) net[i][j][k] = std::floor(fineness_ * net[i][j][k]) / fineness_;
       }
     }
     std::vector<Loop> polygons;
@@ -127,7 +129,7 @@ class RegionScenes {
       }
     }
     if (random_.chance(0.1)) polygons.pop_back();
-    if (random_.chance(0.05)) polygons.push_back({{0, 0, 0}, {0, 0.5, 0}, {0, 0, at(-1, 1)}});
+    if (random_.chance(0.1)) polygons.push_back({{0, 0, 0}, {0, 0.5, 0}, {0, 0, at(-1, 1)}});
     if (random_.chance(0.1)) polygons.push_back({polygons[0][0], polygons[0][1], {x, y + at(-2, 2), z + at(-2, 2)}});
     if (random_.chance(0.1)) polygons.push_back({{x + 4, 9, 0}, {x + 4, -9, at(-9, 9)}, {x + 4, -9, 9}});
     return polygons;
@@ -150,7 +152,8 @@ class RegionScenes {
     const double margin = random_.chance(0.1) ? -0x1p-6 : 0x1p-6;
     const int columns = random_.integer(1, 2), rows = random_.integer(1, 2);
     const auto side = [&](std::size_t k, int i, int of) {
-      return low[k] - margin + (high[k] - low[k] + 2 * margin) * i / of;
+      const double x = low[k] - margin + (high[k] - low[k] + 2 * margin) * i / of;
+      return is_coarse() ? (std::floor(4 * x) + i) / 4 : x;
     };
     for (int i = 0; i < columns; ++i) {
       for (int j = 0; j < rows; ++j) {
@@ -161,6 +164,7 @@ class RegionScenes {
   }
 
   fuzz::Random random_;
+  double fineness_;
 };
 
 }  // namespace occlude::oracle

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "occlude/fuzz/random.h"
 #include "occlude/oracle/cover.h"
+#include "occlude/oracle/second.h"
 #include "oracle/region_scenes.h"
 #include "oracle/vocabulary.h"
 
@@ -384,6 +386,51 @@ TEST(Region, CopiesHaveTheVerdictOfTheOriginal) {
     witness.box = oriented;
     EXPECT_EQ(judge(witness).reason, verdict.reason) << seed << ", oriented";
   }
+}
+
+TEST(Region, BothOraclesAgree) {
+  int boxes = 0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const RegionWitness witness = RegionScenes(seed).next().witness();
+    if (std::holds_alternative<Ball>(witness.eyes)) continue;
+    const RegionVerdict first = judge(witness);
+    if (first.fault == RegionFault::refused) continue;
+    const RegionVerdict second = second::judge(witness);
+    EXPECT_EQ(first.fault, second.fault) << seed;
+    EXPECT_EQ(first.window, second.window) << seed;
+    ++boxes;
+  }
+  EXPECT_GT(boxes, 80);
+}
+
+/// The second oracle knows no balls, but hulls of points on one: what is hidden from the ball is hidden from these, and what
+/// is hidden from such points 1 / 0.88 as far away is hidden from the ball, which is in their hull: its faces are 0.8865 of
+/// the way.
+TEST(Region, ABallIsBetweenTwoHulls) {
+  const auto points = [](const Ball& ball, double factor) {
+    std::vector<Point> result;
+    for (int i = 0; i < 27; ++i) {
+      const Point direction{i % 3 - 1., i / 3 % 3 - 1., i / 9 - 1.};
+      const double length = std::sqrt(dot(direction, direction));
+      if (length > 0) result.push_back(plus(ball.center, factor * ball.radius / length, direction));
+    }
+    return result;
+  };
+  int proved = 0, unproved = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const RegionWitness witness = RegionScenes(seed).next().witness();
+    const Ball* ball = std::get_if<Ball>(&witness.eyes);
+    const RegionFault fault = judge(witness).fault;
+    if (!ball || ball->radius == 0 || fault == RegionFault::refused) continue;
+    const bool is_proved = fault == RegionFault::none;
+    const bool of_inner = second::judge(witness, points(*ball, 1 - 0x1p-50)).is_proved();
+    const bool of_outer = second::judge(witness, points(*ball, 1 / 0.88)).is_proved();
+    EXPECT_LE(of_outer, is_proved) << seed;
+    EXPECT_LE(is_proved, of_inner) << seed;
+    ++(is_proved ? proved : unproved);
+  }
+  EXPECT_GT(proved, 20);
+  EXPECT_GT(unproved, 20);
 }
 
 }  // namespace region_test
