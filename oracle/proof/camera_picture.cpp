@@ -184,8 +184,8 @@ HalfSpaceCoefficients drawn(const AnyCamera& camera, const oracle::Aabb& model, 
   return near;
 }
 
-bool may_clip(const AnyCamera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points) {
-  const HalfSpaceCoefficients near = drawn(camera, model);
+bool may_clip(const AnyCamera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points, const Eyes& eyes) {
+  const HalfSpaceCoefficients near = drawn(camera, model, eyes);
   return !std::ranges::all_of(points, [&](const oracle::Point& p) {
     return oracle::relation_to_half_spaces(std::span(&near, 1), oracle::Aabb{p, p}).relation == Relation::inside;
   });

@@ -45,7 +45,8 @@ inline constexpr double kRendererRounds = 10 * 0x1p-24;
                                    const Eyes& eyes = {});
 
 /// Whether the near plane of the renderer may clip one of the points of `model`. REQUIRES: as above.
-[[nodiscard]] bool may_clip(const AnyCamera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points);
+[[nodiscard]] bool may_clip(const AnyCamera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points,
+                            const Eyes& eyes = {});
 
 /// The half-space whose points in `model` the near plane of the renderer certainly does not clip. Its numbers are in the
 /// legal range. REQUIRES: as above.

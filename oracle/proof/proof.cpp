@@ -212,19 +212,30 @@ std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size
 
   if (by == "cover" && margin != 0) return "a cover has no margin";
   if (by == "cover" && eyes) return fault_of_region({*eyes, to_oracle(box), focus_of(object), {}}, object, camera);
-  if (eyes) return "a shadow is not for a region of eyes";
+  if (eyes && margin != 0) return "a shadow for a region of eyes has no margin";
+  if (eyes) return fault_of_umbra(*eyes, object, camera, box, first, count);
   const kernel::Viewpoint view = viewpoint(object);
   const oracle::Viewpoint said = to_oracle(view);
   if (said.at_infinity != expected.at_infinity || said.value != expected.value) return "the viewpoint is not the frame's";
   if (by == "cover") return fault_of_cover(member(object, "polygons"), view, camera, box);
   std::vector<oracle::Shadow> shadows;
   for (const Json& described : occluders_of(object)) {
-    if (std::string fault = fault_of_occluder(described, camera, first, count); !fault.empty()) return fault;
+    if (std::string fault = fault_of_occluder(described, camera, {}, first, count); !fault.empty()) return fault;
     shadows.push_back(shadow_of(view, described, object));
   }
   if (shadows.size() == 1) return shadows[0].refute_cull(to_oracle(box), margin);
   if (margin != 0) return "two shadows together have no margin";
   return shadows[0].refute_union_cull(shadows[1], to_oracle(box));
+}
+
+std::string Prover::fault_of_umbra(const oracle::EyeRegion& eyes, const Json& object, const AnyCamera& camera,
+                                   const Box& box, std::size_t first, std::size_t count) const {
+  const Json& occluders = occluders_of(object);
+  if (occluders.size() != 1) throw LineError("\"occluders\": expected one occluder for a region of eyes");
+  if (std::string fault = fault_of_occluder(occluders[0], camera, eyes, first, count); !fault.empty()) return fault;
+  const oracle::Answer answer = oracle::relation_to_umbra(eyes, to_oracle(occluder(occluders[0])), to_oracle(box));
+  if (!answer.refusal.empty()) return answer.refusal;
+  return answer.relation == oracle::Relation::inside ? "" : "the box is not in the shadow from every eye";
 }
 
 std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint& view, const AnyCamera& camera,
@@ -291,7 +302,7 @@ std::optional<std::uint32_t> Prover::polygon_of(const Json& named) const {
   return place_[first_piece_[face] + piece];
 }
 
-std::string Prover::fault_of_occluder(const Json& described, const AnyCamera& camera, std::size_t first,
+std::string Prover::fault_of_occluder(const Json& described, const AnyCamera& camera, const Eyes& eyes, std::size_t first,
                                       std::size_t count) const {
   const Occluder occluder = proof::occluder(described);
   const bool is_joined = described.contains("parts");
@@ -300,7 +311,7 @@ std::string Prover::fault_of_occluder(const Json& described, const AnyCamera& ca
     const bool is_drawn = is_joined ? is_joined_outside(polygon, described["parts"], first, count)
                                     : is_model_polygon_outside(polygon, first, count);
     if (!is_drawn) return "the occluder is not of the model outside the subtree";
-    if (may_clip(camera, model_, to_oracle(polygon))) return "the renderer clips the occluder";
+    if (may_clip(camera, model_, to_oracle(polygon), eyes)) return "the renderer clips the occluder";
   }
   return "";
 }

@@ -68,8 +68,12 @@ class Prover {
   [[nodiscard]] std::string fault(const nlohmann::json& witness, const AnyCamera& camera, std::size_t first,
                                   std::size_t count) const;
   /// Why the renderer does not draw the occluder completely by polygons outside of those triangles. Empty when it does.
-  [[nodiscard]] std::string fault_of_occluder(const nlohmann::json& described, const AnyCamera& camera, std::size_t first,
-                                              std::size_t count) const;
+  [[nodiscard]] std::string fault_of_occluder(const nlohmann::json& described, const AnyCamera& camera, const Eyes& eyes,
+                                              std::size_t first, std::size_t count) const;
+  /// Why one occluder does not hide the box from all eyes. Empty when it does.
+  [[nodiscard]] std::string fault_of_umbra(const oracle::EyeRegion& eyes, const nlohmann::json& object,
+                                           const AnyCamera& camera, const Box& box, std::size_t first,
+                                           std::size_t count) const;
   /// The range of polygons [.first, .second) to which the triangles belong.
   [[nodiscard]] std::pair<std::size_t, std::size_t> polygons_with(std::size_t first, std::size_t count) const;
   /// Whether the polygons of those triangles lie in the box, exactly.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "occlude/oracle/region.h"
@@ -18,7 +19,10 @@ struct Eyes {
   bool is_round = false;  ///< whether the radius is not zero
 };
 
-/// The corners of a box, each once for every choice of ends.
+/// Why the region cannot be used. Empty when it can.
+[[nodiscard]] std::string fault_of(const EyeRegion& eyes);
+
+/// The corners of a box. Half edges of zero do not double them.
 template <class N>
 std::vector<Vector<N>> corners_of(const Obb& box) {
   std::vector<Vector<N>> corners{vector_of<N>(box.center)};

@@ -390,13 +390,6 @@ class Judge {
   std::array<std::vector<Bound>, 3> bounds_;       ///< of each part, with normals that were found for other windows, too
 };
 
-std::string fault_of(const EyeRegion& eyes) {
-  if (const Obb* box = std::get_if<Obb>(&eyes)) return strict_box_fault(*box);
-  const auto& [center, radius] = std::get<Ball>(eyes);
-  const std::array points{center, Point{radius, 0, 0}};
-  return radius < 0 ? "the radius is negative" : range_fault(points);
-}
-
 std::string fault_of(const Focus& focus) {
   const std::array points{focus.point, focus.normal, focus.right};
   if (std::string reason = range_fault(points); !reason.empty()) return reason;
@@ -452,6 +445,13 @@ std::string words(const RegionVerdict& verdict) {
 }
 
 }  // namespace
+
+std::string fault_of(const EyeRegion& eyes) {
+  if (const Obb* box = std::get_if<Obb>(&eyes)) return strict_box_fault(*box);
+  const auto& [center, radius] = std::get<Ball>(eyes);
+  const std::array points{center, Point{radius, 0, 0}};
+  return radius < 0 ? "the radius is negative" : range_fault(points);
+}
 
 bool contains(const Ball& ball, const Point& point) {
   if (!fault_of(ball).empty()) return false;

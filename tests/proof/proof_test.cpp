@@ -406,6 +406,24 @@ TEST_F(RegionCull, PlanesAreOutsideOfAllPictures) {
   EXPECT_EQ(view(R"({"center":[0,0,0],"half_edges":[[0.1875,0,0],[0,0,0],[0,0,0]]})", "[-1,0,0,0.1]"), "");
 }
 
+TEST_F(RegionCull, ShadowsAreFromAllEyes) {
+  const auto shadow = [&](const std::string& eyes, const std::string& polygon, const std::string& more = "") {
+    return fault(eyes, R"("by":"shadow","occluders":[{"polygon":)" + polygon + "}]" + more);
+  };
+  const std::string wall = "[[1,-2,-2],[1,2,-2],[1,2,2],[1,-2,2]]", half = "[[2,0,-2],[2,2,-2],[2,2,2],[2,0,2]]";
+  culler::add(soup_, {{1, -2, -2}, {1, 2, -2}, {1, 2, 2}, {1, -2, 2}});
+  soup_.see_through.push_back(0);
+  EXPECT_EQ(shadow(ball_, wall), "");
+  EXPECT_EQ(shadow(cube_, wall), "");
+  EXPECT_EQ(shadow(ball_, half), "the box is not in the shadow from every eye");
+  EXPECT_EQ(shadow(ball_, "[[1,-3,-2],[1,2,-2],[1,2,2],[1,-2,2]]"), "the occluder is not of the model outside the subtree");
+  EXPECT_EQ(shadow(ball_, wall, R"(,"margin":1e-9)"), "a shadow for a region of eyes has no margin");
+  EXPECT_THROW(fault(ball_, R"("by":"shadow","occluders":[{"polygon":[]},{"polygon":[]}])"), LineError);
+  camera_.near_plane = 0.8;
+  EXPECT_EQ(shadow(ball_, wall), "the renderer clips the occluder");
+  EXPECT_EQ(shadow(R"({"center":[0,0,0],"radius":0.125})", wall), "");
+}
+
 TEST_F(RegionCull, RefusesWhatIsNoWitness) {
   const std::string window = R"({"rect":[-1,-1,1,1],"polygons":[0,1]})";
   for (const char* eyes : {"0", "{}", R"({"radius":1})", R"({"center":[0,0,0]})", R"({"center":[0,0],"radius":1})",

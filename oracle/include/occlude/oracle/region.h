@@ -97,4 +97,9 @@ struct RegionVerdict {
 /// to touch it.
 [[nodiscard]] RegionVerdict judge(const RegionWitness& witness);
 
+/// Whether `box` is in the shadow of the occluder from every eye of the region: inside when every segment from an eye to a
+/// point of the box meets the occluder at a point strictly between its ends, else partial. Exact for balls, too. A polygon
+/// that is not coplanar is refused, like what Shadow refuses from the middle of the region.
+[[nodiscard]] Answer relation_to_umbra(const EyeRegion& eyes, const Occluder& occluder, const Box& box);
+
 }  // namespace occlude::oracle
