@@ -16,9 +16,11 @@
 #include <utility>
 
 #include "box.h"
+#include "clipped.h"
 #include "eyes.h"
 #include "faults.h"
 #include "half_spaces.h"
+#include "rectangles.h"
 #include "separation.h"
 #include "sheet.h"
 
@@ -50,58 +52,11 @@ struct Setting {
   [[nodiscard]] Vector<N> at(const N& x, const N& y) const { return origin + x * right + y * up; }
 };
 
-/// The point x / w, w > 0.
-template <class N>
-struct Homogeneous {
-  Vector<N> x;
-  N w;
-};
-
-template <class N>
-std::vector<Homogeneous<N>> clipped(const std::vector<Homogeneous<N>>& polygon, const HalfSpace<N>& half_space) {
-  const auto height = [&](const Homogeneous<N>& q) {
-    return N(half_space.normal * (q.x - q.w * half_space.point) + q.w * half_space.offset);
-  };
-  std::vector<Homogeneous<N>> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Homogeneous<N>&p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    const N a = height(p), b = height(q);
-    const CGAL::Sign of_a = certain_sign(a), of_b = certain_sign(b);
-    if (of_a != CGAL::NEGATIVE) result.push_back(p);
-    if (of_a == -of_b && of_a == CGAL::POSITIVE) result.push_back({a * q.x - b * p.x, a * q.w - b * p.w});
-    if (of_a == -of_b && of_a == CGAL::NEGATIVE) result.push_back({b * p.x - a * q.x, b * p.w - a * q.w});
-  }
-  return result;
-}
-
-/// A rectangle on the focus plane, in its axes.
-struct Rectangle {
-  std::array<double, 2> low, high;
-};
-
-/// Whether the rectangle, whose sides lie on sides of windows, is in the union of the windows. Between two neighbouring
-/// sides of windows, those that are there are there from end to end. REQUIRES: the windows are sorted by y0.
-bool is_covered(const Rectangle& r, std::span<const Rectangle> windows) {
-  std::vector<double> sides{r.low[0], r.high[0]};
-  for (const Rectangle& window : windows) {
-    for (const double x : {window.low[0], window.high[0]}) {
-      if (r.low[0] < x && x < r.high[0]) sides.push_back(x);
-    }
-  }
-  std::ranges::sort(sides);
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    std::optional<double> reached;  // from the lower side of the rectangle on
-    for (const Rectangle& window : windows) {
-      if (window.low[0] > sides[i] || window.high[0] < sides[i + 1]) continue;
-      const double from = reached.value_or(r.low[1]);
-      if (window.low[1] <= from && from <= window.high[1]) reached = window.high[1];
-    }
-    if (!reached || *reached < r.high[1]) return false;
-  }
-  return true;
-}
-
 constexpr HalfSpaceCoefficients kEverywhere{0, 0, 0, 1};
+
+/// A unit of work is a corner or a triangle that is compared with one plane or one line. It takes up to a tenth of a
+/// microsecond, and what separates two sets in exact numbers takes a millisecond. The limit is about half a minute.
+constexpr std::size_t kMostWork = std::size_t{1} << 28U, kWorkOfSeparation = std::size_t{1} << 13U;
 
 /// A normal n, and a number that n . x does not exceed at any point x of a part.
 struct Bound {
@@ -135,7 +90,9 @@ class Judge {
     if (least_side_of_eyes(Cut::nearer) != CGAL::POSITIVE) return {RegionFault::eyes_at_box, 0, {}};
     if (!is_shadow_covered()) return {RegionFault::uncovered, 0, {}};
     for (std::size_t i = 0; i < witness_.windows.size(); ++i) {
-      if (const RegionFault fault = fault_of(witness_.windows[i]); fault != RegionFault::none) return {fault, i, {}};
+      const RegionFault fault = fault_of(witness_.windows[i]);
+      if (work_ > kMostWork) return {RegionFault::refused, i, "the windows take too much work"};
+      if (fault != RegionFault::none) return {fault, i, {}};
     }
     return {};
   }
@@ -198,8 +155,7 @@ class Judge {
       shadow.low[k] = *std::prev(beyond_low);
       shadow.high[k] = *high;
     }
-    std::ranges::sort(windows, {}, [](const Rectangle& window) { return window.low[1]; });
-    return is_covered(shadow, windows);
+    return is_covered(shadow, std::move(windows));
   }
 
   RegionFault fault_of(const Window& window) {
@@ -244,14 +200,18 @@ class Judge {
     return std::ranges::all_of(polygon, [&](const Point& q) { return CGAL::certainly(h.height(q) < 0); });
   }
 
+  /// Also true when there was too much work.
   bool meets(const Obstacle& obstacle, Part part) {
     const auto is_beyond = [&](const Bound& bound) {
       return std::ranges::all_of(obstacle.corners, [&](const Point& q) {
         return CGAL::certainly(vector_of<Interval>(bound.normal) * vector_of<Interval>(q) > bound.most);
       });
     };
+    work_ += obstacle.corners.size() * (bounds(part).size() + 1);
+    if (work_ > kMostWork) return true;
     if (std::ranges::any_of(bounds(part), is_beyond)) return false;
     if (part != Part::eyes && is_cut_away(obstacle.corners, cut_of(part))) return false;
+    work_ += kWorkOfSeparation;
     const Separation separation = decide([&]<class N>() {
       std::vector<Homogeneous<N>> rest;
       for (const Point& q : obstacle.corners) rest.push_back({vector_of<N>(q), N(1)});
@@ -328,6 +288,7 @@ class Judge {
     const auto [eye, along] = line<Interval>(x, y);
     std::array<HalfSpace<Interval>, 2> through{HalfSpace<Interval>{CGAL::cross_product(along, approximate_.right), eye},
                                                {CGAL::cross_product(along, approximate_.up), eye}};
+    work_ += sheet_->triangles.size();
     std::size_t count = 0;
     for (const Triangle& triangle : sheet_->triangles) {
       const auto is_aside = [&](const HalfSpace<Interval>& plane) {
@@ -384,6 +345,7 @@ class Judge {
   Setting<Interval> approximate_;
   std::optional<Setting<Exact>> exact_;
   std::size_t nearest_ = 0;  ///< the corner of the box
+  std::size_t work_ = 0;
   const Window* window_ = nullptr;
   const Sheet::Prepared* sheet_ = nullptr;
   std::vector<Obstacle> border_, deep_, at_eyes_;  ///< of the sheet, those that no line, and no eye, may meet

@@ -113,11 +113,12 @@ class RegionScenes {
   /// A net of squares across the x axis around (y, z) and a fan of what one sees there, now and then with something wrong.
   std::vector<Loop> sheet(double y, double z) {
     constexpr std::size_t kNet = 3;
-    const double x = at(1.5, 4.5), size = at(0.5, 2.5);
+    const bool is_near = random_.chance(0.3);
+    const double x = is_near ? at(0.75, 1.5) : at(1.5, 4.5), size = at(0.25, is_near ? 1 : 2.5), bend = is_near ? 0.25 : 0.5;
     std::array<std::array<Point, kNet>, kNet> net;
     for (std::size_t i = 0; i < kNet; ++i) {
       for (std::size_t j = 0; j < kNet; ++j) {
-        net[i][j] = {x + at(-0.5, 0.5), y + size * (static_cast<double>(i) - 1) + at(-0.25, 0.25),
+        net[i][j] = {x + at(-bend, bend), y + size * (static_cast<double>(i) - 1) + at(-0.25, 0.25),
                      z + size * (static_cast<double>(j) - 1) + at(-0.25, 0.25)};
         for (std::size_t k = 1; k < 3; ++k) net[i][j][k] = std::floor(fineness_ * net[i][j][k]) / fineness_;
       }
@@ -150,7 +151,7 @@ class RegionScenes {
       }
     }
     const double margin = random_.chance(0.1) ? -0x1p-6 : 0x1p-6;
-    const int columns = random_.integer(1, 2), rows = random_.integer(1, 2);
+    const int columns = random_.integer(1, 3), rows = random_.integer(1, 3);
     const auto side = [&](std::size_t k, int i, int of) {
       const double x = low[k] - margin + (high[k] - low[k] + 2 * margin) * i / of;
       return is_coarse() ? (std::floor(4 * x) + i) / 4 : x;

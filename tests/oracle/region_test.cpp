@@ -263,6 +263,34 @@ TEST(Region, ABallBeyondTheFocusPlane) {
   EXPECT_EQ(of(7 - 1e-9), in_window(0, kBeyond));
 }
 
+/// The first triangle is far above the ball, the second is in what the ball sees through |y| <= 1/2 at x = 3, but above
+/// that.
+TEST(Region, WhatIsAboveTheMiddleOfABallIsNotAboveTheBall) {
+  const Loop far{{0.5, 5, -1}, {0.5, 5, 1}, {0.5, 6, 0}};
+  const auto of = [&](double y) {
+    const Loop near{{1.25, y, -1}, {1.25, y, 1}, {1.25, 5, 0}};
+    return verdict(
+        {Ball{{0, 0, 0}, 1}, Aabb{{5, 0, 0}, {5, 0, 0}}, focus(3), {window(0.5, Sheet({far, near, wall(4, 9)}))}});
+  };
+  EXPECT_EQ(of(0.75), in_window(0, kBefore));
+  EXPECT_EQ(of(1), "");
+}
+
+/// At x = 6 the eyes see |y| <= 4 through the first window and 2 <= y <= 7 through the second. Above 6 is above the one and
+/// within the other.
+TEST(Region, WhatIsAboveOneWindowIsNotAboveTheNext) {
+  const auto polygons = [](double y) { return Polygons{wall(3, 9), {{6, y, -1}, {6, y, 1}, {6, 9, 0}}}; };
+  const auto of = [&](double y) {
+    return verdict({Obb{{0, 0, 0}, {{{0, 0.5, 0}, {0, 0, 0}, {0, 0, 0}}}},
+                    Aabb{{8, 1, 0}, {8, 1, 0}},
+                    focus(2),
+                    {window(-0.25, 1, -0.125, 0.125, Sheet(polygons(6))), window(1, 2, -0.125, 0.125, Sheet(polygons(y)))}});
+  };
+  EXPECT_EQ(of(6.75), in_window(1, kBeyond));
+  EXPECT_EQ(of(7), in_window(1, kBeyond));
+  EXPECT_EQ(of(above(7)), "");
+}
+
 TEST(Region, RefusesBadNumbers) {
   const auto reason = [](auto change) {
     RegionWitness witness = square_and_cube(4, {window(1, Sheet({wall(4, 2)}))});
@@ -390,7 +418,7 @@ TEST(Region, CopiesHaveTheVerdictOfTheOriginal) {
 
 TEST(Region, BothOraclesAgree) {
   int boxes = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const RegionWitness witness = RegionScenes(seed).next().witness();
     if (std::holds_alternative<Ball>(witness.eyes)) continue;
     const RegionVerdict first = judge(witness);
@@ -400,7 +428,7 @@ TEST(Region, BothOraclesAgree) {
     EXPECT_EQ(first.window, second.window) << seed;
     ++boxes;
   }
-  EXPECT_GT(boxes, 80);
+  EXPECT_GT(boxes, 200);
 }
 
 /// The second oracle knows no balls, but hulls of points on one: what is hidden from the ball is hidden from these, and what
@@ -417,7 +445,7 @@ TEST(Region, ABallIsBetweenTwoHulls) {
     return result;
   };
   int proved = 0, unproved = 0;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
     const RegionWitness witness = RegionScenes(seed).next().witness();
     const Ball* ball = std::get_if<Ball>(&witness.eyes);
     const RegionFault fault = judge(witness).fault;
@@ -429,8 +457,8 @@ TEST(Region, ABallIsBetweenTwoHulls) {
     EXPECT_LE(is_proved, of_inner) << seed;
     ++(is_proved ? proved : unproved);
   }
-  EXPECT_GT(proved, 20);
-  EXPECT_GT(unproved, 20);
+  EXPECT_GT(proved, 10);
+  EXPECT_GT(unproved, 10);
 }
 
 }  // namespace region_test
