@@ -208,6 +208,14 @@ TEST(Region, WhatIsBeforeTheNearPlaneDoesNotCount) {
   EXPECT_EQ(from(above(2.5)), in_window(0, kEven));
 }
 
+TEST(Region, ABorderOnTheNearPlane) {
+  const Loop slope{{1.75, -9, -0.5}, {1.75, 9, -0.5}, {3, 9, 2}, {3, -9, 2}};
+  const auto from = [&](double x) {
+    return verdict(square_and_cube(4, {window(1, Sheet({slope}, HalfSpaceCoefficients{1, 0, 0, -x}))}));
+  };
+  for (const double x : {1., 1.75, 2.}) EXPECT_EQ(from(x), in_window(0, kBefore)) << x;
+}
+
 /// Of two halves of a wall one is before the near plane, and the plane passes through the edge that they share.
 TEST(Region, WhatTheNearPlaneLeavesHasABorder) {
   const Loop half{{3, -9, -9}, {3, 0, -9}, {3, 0, 9}, {3, -9, 9}}, other{{2, 9, -9}, {3, 0, -9}, {3, 0, 9}, {2, 9, 9}};
@@ -396,6 +404,7 @@ RegionScene copy(const RegionScene& scene, const Copy& how) {
 
 TEST(Region, CopiesHaveTheVerdictOfTheOriginal) {
   const std::vector<Copy> copies{{{1, 2, 0}, 3, 1, {}},
+                                 {{0, 1, 2}, 0, 1, {}},
                                  {{0, 1, 2}, 1, 1, {}},
                                  {{2, 1, 0}, 0, 0x1p-30, {}},
                                  {{0, 1, 2}, 3, 0x1p20, {}},
