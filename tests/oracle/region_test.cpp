@@ -385,9 +385,8 @@ RegionScene copy(const RegionScene& scene, const Copy& how) {
   result.focus = {how.point(scene.focus.point), how.vector(scene.focus.normal), how.vector(scene.focus.right)};
   if (scene.drawn) {
     const auto& [x, y, z, offset] = *scene.drawn;
-    const Point normal = how.vector({x, y, z});
-    result.drawn =
-        HalfSpaceCoefficients{normal[0], normal[1], normal[2], how.scale * how.scale * offset - dot(normal, how.place)};
+    const Point normal = plus({}, 1 / how.scale, how.vector({x, y, z}));
+    result.drawn = HalfSpaceCoefficients{normal[0], normal[1], normal[2], how.scale * offset - dot(normal, how.place)};
   }
   for (Polygons& sheet : result.sheets) {
     for (Loop& loop : sheet) {
@@ -406,8 +405,8 @@ TEST(Region, CopiesHaveTheVerdictOfTheOriginal) {
   const std::vector<Copy> copies{{{1, 2, 0}, 3, 1, {}},
                                  {{0, 1, 2}, 0, 1, {}},
                                  {{0, 1, 2}, 1, 1, {}},
-                                 {{2, 1, 0}, 0, 0x1p-30, {}},
-                                 {{0, 1, 2}, 3, 0x1p20, {}},
+                                 {{2, 1, 0}, 0, 0x1p-60, {}},
+                                 {{0, 1, 2}, 3, 0x1p60, {}},
                                  {{0, 1, 2}, 3, 1, {4096, -512, 8}},
                                  {{1, 0, 2}, 3, 4, {-64, 96, 1 << 20}}};
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
