@@ -53,7 +53,7 @@ void Culling::append_witnesses(std::vector<std::string>& lines, std::size_t fram
   const culler::CullResult& culled = cull(frame);
   const auto append = [&](const auto& camera) {
     const auto covers = render::covers_of(walked_.culler, camera, culled, walked_.options.cull);
-    render::append_witnesses(lines, frame, camera.viewpoint(), walked_.culler, culled, walked_.options.cull, covers);
+    render::append_witnesses(lines, frame, camera, walked_.culler, culled, walked_.options.cull, covers);
   };
   std::visit(append, any);
 }

@@ -45,7 +45,7 @@ void ModelScene::append_witnesses(std::vector<std::string>& lines, std::size_t f
     std::vector<culler::ObjectWitness> witnesses;
     const culler::SceneResult& result = scene_.cull(c, same, view_);
     scene_.append_witnesses(c, same, view_, witnesses);
-    render::append_witnesses(lines, frame, c.viewpoint(), hierarchy_, result.view, witnesses, objects_);
+    render::append_witnesses(lines, frame, camera, hierarchy_, result.view, witnesses, objects_);
   };
   std::visit(of, camera);
 }

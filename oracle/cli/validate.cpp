@@ -432,6 +432,7 @@ void add_validate(Command app, int& exit_code) {
   const auto a = std::make_shared<ValidateArguments>();
   add_input(command, "MODEL", a->model, "the model walked through").required();
   a->path.add_to(command, "camera path");
+  a->path.add_region_to(command);
   Option witness = add_input(command, "--witness", a->witness,
                              "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
   command

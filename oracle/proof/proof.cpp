@@ -108,6 +108,30 @@ Eyes eyes_in(const Json& object) {
   return oracle::Obb{center, {to_oracle(half_edges[0]), to_oracle(half_edges[1]), to_oracle(half_edges[2])}};
 }
 
+AnyCamera of_one_eye(AnyCamera camera) {
+  std::visit([](auto& c) { c.eyes = {}; }, camera);
+  return camera;
+}
+
+/// A frame that holds for a region is proved for that region, and for no less.
+std::string fault_of_eyes(const Eyes& eyes, const AnyCamera& camera) {
+  const culler::EyeRegion& region = std::visit([](const auto& c) -> const culler::EyeRegion& { return c.eyes; }, camera);
+  const oracle::Viewpoint middle = viewpoint_of(camera);
+  if (region.is_point() || middle.at_infinity) return "";
+  if (!eyes) return "the frame holds for a region of eyes, and the line is of one";
+  const auto is_of_frame = [&](const auto& kind) {
+    if (kind.center != middle.value) return false;
+    if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, oracle::Ball>) {
+      return kind.radius == region.radius;
+    } else {
+      return region.radius == 0 && std::ranges::equal(kind.half_edges, region.half_edges, [](const auto& a, const auto& b) {
+               return a[0] == b.x && a[1] == b.y && a[2] == b.z;
+             });
+    }
+  };
+  return std::visit(is_of_frame, *eyes) ? "" : "the eyes are not the frame's";
+}
+
 bool contains(const oracle::EyeRegion& eyes, const oracle::Point& eye) {
   return std::visit([&](const auto& kind) { return oracle::contains(kind, eye); }, eyes);
 }
@@ -191,14 +215,16 @@ Proof Prover::prove(std::string_view line) const {
   return Proof{fault(object, cameras_.at(number), first, count), number, first, count};
 }
 
-std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size_t first, std::size_t count) const {
+std::string Prover::fault(const Json& object, const AnyCamera& any, std::size_t first, std::size_t count) const {
   const Box box = proof::box(object);
   const Json& by = member(object, "by");
   if (!lie_in(box, first, count)) return "the triangles are not in the box";
 
   const double margin = margin_of(object);
-  const oracle::Viewpoint expected = viewpoint_of(camera);
+  const oracle::Viewpoint expected = viewpoint_of(any);
   const Eyes eyes = eyes_in(object);
+  if (std::string fault = fault_of_eyes(eyes, any); !fault.empty()) return fault;
+  const AnyCamera camera = eyes ? of_one_eye(any) : any;  // what follows adds the eyes of the witness
   if (eyes && expected.at_infinity) return "a region of eyes is for perspective";
   if (eyes && !contains(*eyes, expected.value)) return "the frame's eye is not in the region";
   if (by == "view") {

@@ -66,6 +66,15 @@ render::CameraPath made_path(const std::string& model_file, culler::SoupView sou
 
 }  // namespace
 
+void PathArguments::add_region_to(Command command) {
+  constexpr double kLargest = 1e9;
+  command
+      .add("--region", region_,
+           "cull each frame for all eyes within this distance of the path, in units of the model: what is culled is hidden "
+           "from all of them")
+      .in_range(0, kLargest);
+}
+
 Option PathArguments::add_to(Command command, const std::string& text, const std::string& otherwise) {
   const std::string help = fmt::format(
       "{}: a file (JSON, or CSV of matrices); camera:NAME, a camera of the model; or walk, fly or orbit to make one "
@@ -96,6 +105,13 @@ render::CameraPath PathArguments::through(const std::string& model_file, const r
 
 render::CameraPath PathArguments::through(const std::string& model_file, culler::SoupView soup,
                                           const render::ModelNotes& notes) const {
+  render::CameraPath path = named(model_file, soup, notes);
+  path.eyes = culler::EyeRegion::ball(region_);
+  return path;
+}
+
+render::CameraPath PathArguments::named(const std::string& model_file, culler::SoupView soup,
+                                        const render::ModelNotes& notes) const {
   if (const auto made = kind_of(path_)) return made_path(model_file, soup, up_of(notes), *made);
   if (const auto camera = camera_in(path_)) return camera_path(model_file, *camera, notes);
   render::PathDefaults defaults{.up = up_of(notes), .order = std::nullopt};

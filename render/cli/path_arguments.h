@@ -18,6 +18,9 @@ class PathArguments {
   /// one.
   Option add_to(Command command, const std::string& text, const std::string& otherwise = "made for the model");
 
+  /// Adds --region.
+  void add_region_to(Command command);
+
   [[nodiscard]] bool is_given() const { return !path_.empty(); }
   /// As it is named.
   [[nodiscard]] const std::string& name() const { return path_; }
@@ -34,7 +37,11 @@ class PathArguments {
   [[nodiscard]] render::CameraPath through(const std::string& model_file, culler::SoupView soup,
                                            const render::ModelNotes& notes) const;
 
+  [[nodiscard]] render::CameraPath named(const std::string& model_file, culler::SoupView soup,
+                                         const render::ModelNotes& notes) const;
+
   std::string path_, order_;
+  double region_ = 0;
 };
 
 /// Warns on standard error of numbers that were taken as 0, and if the path is probably meant for another model.

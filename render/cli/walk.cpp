@@ -123,6 +123,7 @@ void add_walk(Command app, int& exit_code, const std::string& command_line) {
   const auto a = std::make_shared<WalkCommand>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   a->path.add_to(command, "camera path");
+  a->path.add_region_to(command);
   add_output(command, "--out", a->out, "folder to write to").show_default();
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);

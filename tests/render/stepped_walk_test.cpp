@@ -58,7 +58,7 @@ TEST_F(SteppedWalk, WhyTellsOfTheCullsOfTheWalk) {
   for (const std::size_t frame : {3U, 5U, 12U, 20U, 21U, 27U}) {
     const ReplayedFrame replayed(culler, city_.path, stepped, frame);
     std::vector<std::string> lines;
-    append_witnesses(lines, frame, replayed.camera().viewpoint(), culler, replayed.result(), stepped.cull, {});
+    append_witnesses(lines, frame, replayed.camera(), culler, replayed.result(), stepped.cull, {});
     EXPECT_EQ(lines, every.witnesses[frame]) << frame;
     if ((frame - 3) % kStep == 0) {
       EXPECT_EQ(lines, some.witnesses[frame]) << frame;

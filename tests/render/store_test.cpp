@@ -76,8 +76,7 @@ class StoreTest : public testing::Test {
     for (std::size_t frame = 0; frame < 40; frame += 10) {
       const culler::Camera camera = city_.path.camera(frame, 16.0 / 9);
       const culler::CullResult& result = culler.cull(camera, options, view);
-      append_witnesses(lines, frame, camera.viewpoint(), culler, result, options,
-                       covers_of(culler, camera, result, options));
+      append_witnesses(lines, frame, camera, culler, result, options, covers_of(culler, camera, result, options));
     }
     return lines;
   }

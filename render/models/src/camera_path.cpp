@@ -73,6 +73,7 @@ culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
   camera.aspect = aspect;
   camera.near_plane = near;
   camera.far_plane = far;
+  camera.eyes = eyes;
   return camera;
 }
 

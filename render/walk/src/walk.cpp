@@ -127,7 +127,7 @@ WalkResult walk(const culler::Culler& culler, const CameraPath& path, const Walk
     if (finished.is_reference) operations += visit_shadow_tests(culler, frame, camera, finished.culled, options);
     if (!options.witness) return;
     lines.clear();
-    append_witnesses(lines, frame, camera.viewpoint(), culler, finished.culled, options.cull, covers);
+    append_witnesses(lines, frame, camera, culler, finished.culled, options.cull, covers);
     for (const std::string& line : lines) output.add_witness(line);
     witnesses += lines.size();
   };

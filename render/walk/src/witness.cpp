@@ -117,15 +117,24 @@ class Reasons {
   std::vector<std::string> view_;             ///< of each half-space, complete
 };
 
+/// From where it is seen: an eye, eyes or a direction.
+std::string sight_member(const kernel::Viewpoint& viewpoint, const culler::EyeRegion& eyes) {
+  if (!viewpoint.is_eye()) return fmt::format(R"("direction":{})", triple(viewpoint.value));
+  if (eyes.is_point()) return fmt::format(R"("eye":{})", triple(viewpoint.value));
+  const std::string shape = eyes.radius != 0 ? fmt::format(R"("radius":{})", eyes.radius)
+                                             : R"("half_edges":)" + list(eyes.half_edges, triple<glm::dvec3>);
+  return fmt::format(R"("eyes":{{"center":{},{}}})", triple(viewpoint.value), shape);
+}
+
 /// Writes the lines of a frame.
 class Lines {
  public:
-  Lines(std::vector<std::string>& lines, std::size_t frame, const kernel::Viewpoint& viewpoint,
-        const culler::Hierarchy& hierarchy)
+  Lines(std::vector<std::string>& lines, std::size_t frame, const AnyCamera& camera, const culler::Hierarchy& hierarchy)
       : lines_(lines),
         hierarchy_(hierarchy),
-        frame_(fmt::format(R"({{"frame":{},"{}":{},)", frame, viewpoint.is_eye() ? "eye" : "direction",
-                           triple(viewpoint.value))),
+        frame_(std::visit(
+            [&](const auto& c) { return fmt::format(R"({{"frame":{},{},)", frame, sight_member(c.viewpoint(), c.eyes)); },
+            camera)),
         leaf_(hierarchy.leaf_size() == culler::leaf_size_for(culler::Method::frusta)
                   ? ""
                   : fmt::format(R"("leaf":{},)", hierarchy.leaf_size())) {}
@@ -138,11 +147,24 @@ class Lines {
   }
 
   void append_cover(const culler::PolygonRange& range, const kernel::Aabb& box, std::span<const std::uint32_t> polygons) {
-    append(range, box,
-           R"("by":"cover","polygons":)" + list(polygons, [&](std::uint32_t p) { return name_of(hierarchy_, p); }));
+    append(range, box, R"("by":"cover","polygons":)" + names(polygons));
+  }
+  void append_cover(const culler::CoverWitness& cover) {
+    if (cover.windows.empty()) return append_cover(cover.range, cover.box, cover.polygons);
+    const auto& [point, normal, right] = cover.focus;
+    const auto window = [&](const culler::CoverWindow& w) {
+      return fmt::format(R"({{"rect":[{},{},{},{}],"polygons":{}}})", w.x0, w.y0, w.x1, w.y1, names(w.polygons));
+    };
+    append(cover.range, cover.box,
+           fmt::format(R"("by":"cover","focus":{{"point":{},"normal":{},"right":{}}},"windows":{})", triple(point),
+                       triple(normal), triple(right), list(cover.windows, window)));
   }
 
  private:
+  [[nodiscard]] std::string names(std::span<const std::uint32_t> polygons) const {
+    return list(polygons, [&](std::uint32_t p) { return name_of(hierarchy_, p); });
+  }
+
   std::vector<std::string>& lines_;
   const culler::Hierarchy& hierarchy_;
   std::string frame_, leaf_;
@@ -150,27 +172,29 @@ class Lines {
 
 }  // namespace
 
-void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const kernel::Viewpoint& viewpoint,
+void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const AnyCamera& camera,
                       const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options,
                       std::span<const culler::CoverWitness> covers) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   const Reasons reasons(culler, result, options.shadow_near);
-  Lines of_frame(lines, frame, viewpoint, hierarchy);
+  Lines of_frame(lines, frame, camera, hierarchy);
+  // The margins of shadows are from the eye in the middle.
+  const bool has_margins = std::visit([](const auto& c) { return c.eyes.is_point(); }, camera);
   std::vector<culler::Witness> witnesses;
   culler.append_witnesses(result, witnesses);
   for (const auto& [culled, margin] : witnesses) {
     if (culled.by == culler::Culled::By::cover) continue;
     const culler::HierarchyNode& node = hierarchy.nodes()[culled.node];
-    of_frame.append({node.first, node.count}, hierarchy.volume(culled.node),
-                    fmt::format(R"({},"margin":{})", reasons.of(culled), margin));
+    const std::string beyond = has_margins ? fmt::format(R"(,"margin":{})", margin) : "";
+    of_frame.append({node.first, node.count}, hierarchy.volume(culled.node), reasons.of(culled) + beyond);
   }
-  for (const culler::CoverWitness& cover : covers) of_frame.append_cover(cover.range, cover.box, cover.polygons);
+  for (const culler::CoverWitness& cover : covers) of_frame.append_cover(cover);
 }
 
-void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const kernel::Viewpoint& viewpoint,
+void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const AnyCamera& camera,
                       const culler::Hierarchy& hierarchy, std::span<const culler::HalfSpace> view,
                       std::span<const culler::ObjectWitness> witnesses, std::span<const culler::PolygonRange> objects) {
-  Lines of_frame(lines, frame, viewpoint, hierarchy);
+  Lines of_frame(lines, frame, camera, hierarchy);
   for (const auto& [object, box, fate] : witnesses) {
     const culler::PolygonRange& range = objects[object.slot()];
     if (fate.reason == culler::ObjectFate::Reason::out_of_view) {

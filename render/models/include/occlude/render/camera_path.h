@@ -32,7 +32,8 @@ struct CameraPath {
   double near = 0.1;
   double far = std::numeric_limits<double>::infinity();
   glm::dvec3 up{0, 0, 1};
-  std::size_t noise = 0;  ///< numbers of the file that are nearer to 0 than 2^-100, which were taken as 0
+  culler::EyeRegion eyes{};  ///< of each frame, relative to its eye; not part of a file
+  std::size_t noise = 0;     ///< numbers of the file that are nearer to 0 than 2^-100, which were taken as 0
 
   /// The camera of `frame`. Eye and target move from the first keyframe (frame 0) to the last (frame frames - 1). Keyframes
   /// are equally spaced in time. `linear` joins them by straight lines, `smooth` by a Catmull-Rom spline. What rounding
