@@ -176,11 +176,28 @@ std::uint32_t CoverBuffer::owner(int first_tile, int x, int y) const {
   return owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
 }
 
-/// Runs of pixels in rows, of which those that lie above each other are one window.
-CoverBuffer::Windows CoverBuffer::windows(const kernel::Aabb& box) const {
+CoverBuffer::Footprint CoverBuffer::hidden_at(const kernel::Aabb& box) const {
   const ProjectedBoxes boxes = seen(box);
   const Footprint farther = footprint(boxes, 0);
-  const Footprint at = hides(farther) ? farther : footprint(boxes.nearer_layer, 0);
+  return hides(farther) ? farther : footprint(boxes.nearer_layer, 0);
+}
+
+/// By itself, the box may ask other layers.
+CoverBuffer::Footprint CoverBuffer::within(const Footprint& whole, const kernel::Aabb& box) const {
+  BoxPicture of_layer = boxes_;
+  of_layer.layers.focus[0] = boxes_.layers.focus[static_cast<std::size_t>(whole.first_tile / boxes_.tiles_of_layer)];
+  of_layer.layers.count = 1;
+  ProjectedBoxes boxes;
+  boxes.add(of_layer, box);
+  boxes.project(of_layer);
+  const PixelRectangle a = whole.pixels, b = footprint(boxes, 0).pixels;
+  Footprint part = whole;
+  part.pixels = {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+  return part;
+}
+
+/// Runs of pixels in rows, of which those that lie above each other are one window.
+CoverBuffer::Windows CoverBuffer::windows(const Footprint& at) const {
   Windows found{boxes_.layers.focus[static_cast<std::size_t>(at.first_tile / boxes_.tiles_of_layer)], {}};
   const PixelRectangle& r = at.pixels;
   const auto add = [&](const Window& run) {

@@ -112,8 +112,12 @@ class CoverBuffer {
     double focus;  ///< of the layer
     std::vector<Window> windows;
   };
-  /// Windows that have all pixels of a box in one layer. REQUIRES: as owners(); the picture is of several eyes.
-  [[nodiscard]] Windows windows(const kernel::Aabb& box) const;
+  /// Where a box is hidden, in a picture of several eyes. REQUIRES: hides(box).
+  [[nodiscard]] Footprint hidden_at(const kernel::Aabb& box) const;
+  /// The footprint, in the same layer, of a box that lies in one of this footprint.
+  [[nodiscard]] Footprint within(const Footprint& whole, const kernel::Aabb& box) const;
+  /// Windows that have all pixels of a footprint in which a box is hidden. REQUIRES: as owners().
+  [[nodiscard]] Windows windows(const Footprint& at) const;
   [[nodiscard]] const DrawnSheet& sheet(std::uint32_t i) const { return sheets_[i]; }
 
   [[nodiscard]] const ConservativeViewport& picture() const { return picture_; }

@@ -33,7 +33,7 @@ class DrawnGroups {
   template <class Visit>
   void visit_before(const CoverBuffer& buffer, const kernel::Aabb& box, const Visit& visit) const {
     if (buffer.is_of_region()) {
-      for (const CoverBuffer::Window& window : buffer.windows(box).windows) {
+      for (const CoverBuffer::Window& window : buffer.windows(buffer.hidden_at(box)).windows) {
         const std::uint32_t source = groups_[buffer.sheet(window.sheet).id].source;
         for (const std::uint32_t polygon : polygons(buffer, window)) visit(source, polygon);
       }

@@ -35,30 +35,50 @@ class CoverReplay {
   void joined(const CoverPainter& painter) { drawn_.keep(painter, memory_, 0); }
 
   void culled(const Culled& culled) {
-    if (culled.by == Culled::By::cover) prove(culled.node);
+    if (culled.by != Culled::By::cover) return;
+    const kernel::Aabb& box = hierarchy_.nodes()[culled.node].box;
+    prove(culled.node, memory_.buffer.is_of_region() ? memory_.buffer.hidden_at(box) : CoverBuffer::Footprint{});
   }
 
  private:
-  void prove(std::uint32_t node) {
+  /// `at` is where the node is hidden from several eyes.
+  void prove(std::uint32_t node, const CoverBuffer::Footprint& at) {
     const HierarchyNode& n = hierarchy_.nodes()[node];
-    std::vector<std::uint32_t> polygons = polygons_before(n.box);
-    if (corners_of(polygons) <= most_) {
-      add({n.first, n.count}, n.box, std::move(polygons));
+    CoverWitness witness = witness_of({n.first, n.count}, n.box, at);
+    if (corners_of(witness.polygons) <= most_) {
+      witnesses_.push_back(std::move(witness));
     } else if (!n.is_leaf()) {
-      prove(node + 1);
-      prove(n.right);
+      for (const std::uint32_t child : {node + 1, n.right}) prove(child, part_of(at, hierarchy_.nodes()[child].box));
     } else {
       for (std::uint32_t p = n.first; p < n.first + n.count; ++p) {
         const kernel::Aabb box = hierarchy_.soup().box(p);
-        add({p, 1}, box, polygons_before(box));
+        witnesses_.push_back(witness_of({p, 1}, box, part_of(at, box)));
       }
     }
   }
 
-  void add(const PolygonRange& range, const kernel::Aabb& box, std::vector<std::uint32_t> polygons) {
-    CoverWitness& witness = witnesses_.emplace_back(range, box, std::move(polygons));
-    if (!memory_.buffer.is_of_region()) return;
-    const CoverBuffer::Windows found = memory_.buffer.windows(box);
+  [[nodiscard]] CoverBuffer::Footprint part_of(const CoverBuffer::Footprint& at, const kernel::Aabb& box) const {
+    return memory_.buffer.is_of_region() ? memory_.buffer.within(at, box) : at;
+  }
+
+  [[nodiscard]] CoverWitness witness_of(const PolygonRange& range, const kernel::Aabb& box,
+                                        const CoverBuffer::Footprint& at) const {
+    CoverWitness witness{range, box, {}, {}, {}};
+    if (memory_.buffer.is_of_region()) {
+      add_windows(at, witness);
+      for (const CoverWindow& window : witness.windows) {
+        witness.polygons.insert(witness.polygons.end(), window.polygons.begin(), window.polygons.end());
+      }
+    } else {
+      drawn_.visit_before(memory_.buffer, box, [&](std::uint32_t, std::uint32_t p) { witness.polygons.push_back(p); });
+    }
+    std::ranges::sort(witness.polygons);
+    witness.polygons.erase(std::unique(witness.polygons.begin(), witness.polygons.end()), witness.polygons.end());
+    return witness;
+  }
+
+  void add_windows(const CoverBuffer::Footprint& at, CoverWitness& witness) const {
+    const CoverBuffer::Windows found = memory_.buffer.windows(at);
     const ConservativeViewport& picture = memory_.buffer.picture();
     // A point is the sum of these, times its distance along the line of sight and, but for the last, its slopes.
     const glm::dvec3 right = dual(picture.right(), picture.up(), picture.forward()),
@@ -71,14 +91,6 @@ class CoverReplay {
       const PixelPosition high = picture.slope(window.pixels.x1, window.pixels.y1);
       witness.windows.push_back({x * low.x, y * low.y, x * high.x, y * high.y, drawn_.polygons(memory_.buffer, window)});
     }
-  }
-
-  [[nodiscard]] std::vector<std::uint32_t> polygons_before(const kernel::Aabb& box) const {
-    std::vector<std::uint32_t> polygons;
-    drawn_.visit_before(memory_.buffer, box, [&](std::uint32_t, std::uint32_t p) { polygons.push_back(p); });
-    std::ranges::sort(polygons);
-    polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
-    return polygons;
   }
 
   [[nodiscard]] std::size_t corners_of(const std::vector<std::uint32_t>& polygons) const {
