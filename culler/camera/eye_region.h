@@ -21,4 +21,8 @@ namespace occlude::culler {
   return radius;
 }
 
+/// Whether everything within `error` of d is in the region, both relative to its middle. Rounding never makes it true. It
+/// is false for all d but 0 if half-edges of the box are linearly dependent, or so nearly that nobody can tell.
+[[nodiscard]] bool contains(const EyeRegion& eyes, const glm::dvec3& d, double error);
+
 }  // namespace occlude::culler

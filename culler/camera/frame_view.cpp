@@ -82,7 +82,8 @@ bool is_across(const MatrixEye& eye, const Crossing& crossing) {
 }  // namespace
 
 FrameView::FrameView(const Camera& camera, double reach)
-    : is_perspective(camera.projection == Projection::perspective),
+    : any_camera(camera),
+      is_perspective(camera.projection == Projection::perspective),
       depth(depth_from_all(camera.eyes, reach)),
       eye(camera.eye),
       axes(camera.axes()),
@@ -122,7 +123,7 @@ FrameView::FrameView(const Camera& camera, double reach)
 ///    from an eye, the near planes of all are equally far.
 ///  - Parallel rays stay what they are: nothing needs to be moved.
 FrameView::FrameView(const MatrixCamera& camera, double reach)
-    : is_perspective(true), area(0), near_distance(0), near(0), is_oblique(false), eye_uncertainty(0) {
+    : any_camera(camera), is_perspective(true), area(0), near_distance(0), near(0), is_oblique(false), eye_uncertainty(0) {
   const MatrixEye of(camera);
   is_perspective = of.is_perspective();
   eyes = is_perspective ? camera.eyes : EyeRegion{};

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "occlude/culler/camera.h"
@@ -35,6 +36,7 @@ struct FrameView {
   /// occlude.
   [[nodiscard]] bool may_clip(std::span<const kernel::Vec3> vertices) const;
 
+  std::variant<Camera, MatrixCamera> any_camera;  ///< the camera itself
   bool is_perspective;
   double depth;       ///< at least the `reach` given, and as far as the model is from any of the eyes
   glm::dvec3 eye;     ///< with parallel rays, a point of the near plane or behind it, from which lengths are measured

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "camera/holds_for.h"
 #include "camera/shadow_rule.h"
 #include "cover/asked_box.h"
 #include "frame/view_memory.h"
@@ -51,6 +52,13 @@ Visibility View::visibility(const Box& box) const {
     return memory_->frame.result.method == Method::cover ? hides_any(memory_->cover.buffer, b)
                                                          : is_in_shadow(memory_->frame, b);
   });
+}
+
+bool View::holds_for(const Camera& camera) const {
+  return !result().view.empty() && culler::holds_for(memory_->frame.view, camera);
+}
+bool View::holds_for(const MatrixCamera& camera) const {
+  return !result().view.empty() && culler::holds_for(memory_->frame.view, camera);
 }
 
 }  // namespace occlude::culler

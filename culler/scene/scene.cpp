@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "camera/holds_for.h"
 #include "camera/sound_camera.h"
 #include "cover/asked_box.h"
 #include "scene/scene_frame.h"
@@ -81,6 +82,13 @@ const SceneResult& SceneView::result() const { return memory_->result; }
 Visibility SceneView::visibility(const Box& box) const {
   return visibility_of(box, memory_->view, memory_->result.view,
                        [&](const auto& b) { return hides_any(memory_->cover.buffer, b); });
+}
+
+bool SceneView::holds_for(const Camera& camera) const {
+  return !result().view.empty() && culler::holds_for(memory_->view, camera);
+}
+bool SceneView::holds_for(const MatrixCamera& camera) const {
+  return !result().view.empty() && culler::holds_for(memory_->view, camera);
 }
 
 struct Scene::Parts {

@@ -40,6 +40,8 @@ struct EyeRegion {
   /// The greatest product of an eye of the region and the direction, up to rounding: how far the region reaches along a unit
   /// vector.
   [[nodiscard]] double reach(const glm::dvec3& direction) const;
+
+  friend bool operator==(const EyeRegion&, const EyeRegion&) = default;
 };
 
 /// A right-handed camera that looks from `eye` to `target`, with `up` towards the top of the picture. Positions and lengths
@@ -66,6 +68,8 @@ struct Camera {
   /// The viewpoint of the shadows: the eye of a perspective camera, axes().forward of an orthographic one.
   /// REQUIRES: the camera has no fault().
   [[nodiscard]] kernel::Viewpoint viewpoint() const;
+
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// A half-space {x : normal . x + offset >= 0}. `normal` need not be a unit vector.
@@ -156,6 +160,8 @@ struct MatrixCamera {
   [[nodiscard]] glm::dvec3 eye() const;
   /// The viewpoint of the shadows: eye(), or the direction of parallel rays. REQUIRES: the camera has no fault().
   [[nodiscard]] kernel::Viewpoint viewpoint() const;
+
+  friend bool operator==(const MatrixCamera&, const MatrixCamera&) = default;
 
  private:
   template <class Number>

@@ -44,6 +44,25 @@ class View {
   /// nearest (occlude/kernel/validity.h).
   [[nodiscard]] Visibility visibility(const Box& box) const;
 
+  /// Whether the last frame does for this camera, too: it culls nothing that the camera shows from its eye and from all of
+  /// its `eyes`. Takes about a microsecond.
+  /// 1. It is never true by rounding. A camera may be turned by rounding as far as a frame's margins for single precision
+  ///    have room for: by less than 2^-22.
+  /// 2. It is true if the eyes are in the region of the frame's camera, the picture as seen from the eye is within that
+  ///    camera's, the far plane is no farther, and what hid something is not before the near plane. So a camera that is
+  ///    turned needs a nearer near plane: at each corner of its picture, near (forward of the frame . c) must be no more
+  ///    than the near plane of the frame, where c is the corner's ray at a distance of 1. If the frame is of one eye, it
+  ///    culled what was before its near plane, so that the two near planes must be the same.
+  /// 3. It is true of the frame's camera, and of one that differs from it only by an eye of the region, unless that is
+  ///    within rounding of the region's surface. The eye of a matrix is known up to rounding.
+  /// 4. It is false of a camera of another projection, of parallel rays in any other direction, and of parallel rays that
+  ///    are another matrix. It is false before the first frame.
+  /// 5. It knows nothing of CullOptions::margin, which is a share of the height of the frame's picture. A move by m in the
+  ///    camera's picture, at a distance of 1, is one by up to m |c|^2 in the frame's, c the ray of a corner of the frame's.
+  /// Throws as Culler::cull().
+  [[nodiscard]] bool holds_for(const Camera& camera) const;
+  [[nodiscard]] bool holds_for(const MatrixCamera& camera) const;
+
   struct Memory;  ///< frame/view_memory.h
 
  private:

@@ -166,6 +166,9 @@ class SceneView {
   [[nodiscard]] const SceneResult& result() const;
   /// Whether any box would be visible in the last frame, as View::visibility().
   [[nodiscard]] Visibility visibility(const Box& box) const;
+  /// As View::holds_for(), of the scene as it was in the last frame.
+  [[nodiscard]] bool holds_for(const Camera& camera) const;
+  [[nodiscard]] bool holds_for(const MatrixCamera& camera) const;
 
   struct Memory;  ///< scene/scene_frame.h
 

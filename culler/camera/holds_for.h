@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Whether a frame that is there already does for a camera.
+#pragma once
+
+#include "camera/frame_view.h"
+#include "occlude/culler/camera.h"
+
+namespace occlude::culler {
+
+/// As View::holds_for(), for a frame of this view. Throws as require_sound().
+[[nodiscard]] bool holds_for(const FrameView& frame, const Camera& camera);
+[[nodiscard]] bool holds_for(const FrameView& frame, const MatrixCamera& camera);
+
+}  // namespace occlude::culler
