@@ -2,16 +2,14 @@
 #include "camera/holds_for.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <limits>
+#include <glm/vec3.hpp>
 #include <variant>
 
+#include "camera/extent.h"
 #include "camera/eye_region.h"
-#include "camera/matrix_eye.h"
 #include "camera/single_precision.h"
 #include "camera/sound_camera.h"
 
@@ -23,70 +21,6 @@ namespace {
 constexpr double kNeeded = 0.75;
 static_assert(kNeeded * kDepthMargin > 1.125 * kSinglePrecision);
 
-/// Bounds the roundings of a product of two vectors, and of some that follow, as a share of their lengths.
-constexpr double kProductRounded = 0x1p-49;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Where something of a picture shows, in real numbers: at no t beside these, on the lines from the eye through t c for c
-/// between the corners; with parallel rays, at c + t forward.
-struct Extent {
-  std::array<glm::dvec3, 4> corners{};
-  double error = 0;   ///< of each corner
-  double length = 0;  ///< of the longest
-  double nearest = 0, farthest = kInfinity;
-
-  void set(std::size_t i, const glm::dvec3& corner, double off) {
-    corners[i] = corner;
-    error = std::max(error, off);
-    length = std::max(length, glm::length(corner));
-  }
-  /// The least of n . c, or less.
-  [[nodiscard]] double least(const glm::dvec3& n) const {
-    double least = kInfinity;
-    for (const glm::dvec3& c : corners) least = std::min(least, glm::dot(n, c));
-    return least - glm::length(n) * (error + kProductRounded * length);
-  }
-};
-
-/// Of the corners of a picture, to the right and up.
-constexpr std::array<glm::dvec2, 4> kSides{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-
-Extent extent_of(const Camera& camera, const FrameView& view) {
-  const auto& [right, up, forward] = view.axes;
-  const glm::dvec3 x = view.half_width * right, y = view.half_height * up;
-  const glm::dvec3 middle = view.is_perspective ? forward : glm::dvec3(0);
-  Extent extent;
-  for (std::size_t i = 0; i < extent.corners.size(); ++i) {
-    const glm::dvec3 corner = middle + kSides[i].x * x + kSides[i].y * y;
-    extent.set(i, corner, kProductRounded * glm::length(corner));
-  }
-  extent.nearest = camera.near_plane;
-  extent.farthest = camera.far_plane;
-  return extent;
-}
-
-/// A plane n . v + d >= 0 is met on the line through a corner c at t = -d / (n . c). The extremes of t over the picture are
-/// at corners where n . c has one sign.
-Extent extent_of(const MatrixCamera& camera, const FrameView& view) {
-  const MatrixEye eye(camera);
-  Extent extent;
-  for (std::size_t i = 0; i < extent.corners.size(); ++i) {
-    const auto corner = eye.vector(kSides[i].x * view.half_width, kSides[i].y * view.half_height, 1);
-    extent.set(i, corner.value, corner.error);
-  }
-  const auto planes = eye.planes(0);
-  const ClipPlane &near = planes[MatrixEye::kNear], &far = planes[MatrixEye::kNear + 1];
-  const double before = -(glm::dot(near.normal, eye.eye()) + near.offset) - near.error;
-  const double steepest = -extent.least(-near.normal);
-  if (extent.least(near.normal) > 0 && before > 0) extent.nearest = (1 - kProductRounded) * before / steepest;
-  if (far.is_everywhere) return extent;
-  const double beyond = glm::dot(far.normal, eye.eye()) + far.offset + far.error;
-  const double flattest = extent.least(-far.normal);
-  if (flattest > 0 && beyond > 0) extent.farthest = (1 + kProductRounded) * beyond / flattest;
-  return extent;
-}
-
 class Question {
  public:
   template <class AnyCamera>
@@ -95,7 +29,7 @@ class Question {
         frame_eyes_(std::visit([](const auto& c) { return c.eyes; }, frame.any_camera)),
         eyes_(camera.eyes),
         view_(of_one_eye(camera), kNeeded * frame.depth),
-        extent_(extent_of(camera, view_)),
+        extent_(camera, view_),
         from_eye_(view_.eye - frame.eye),
         eye_error_(frame.eye_uncertainty + view_.eye_uncertainty) {}
 
