@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Names what hides each cull by cover. It culls the frame again and keeps which group closed which pixel.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -23,6 +24,9 @@ glm::dvec3 dual(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 across = glm::cross(b, c);
   return across / glm::dot(a, across);
 }
+
+/// Axes that are turned against each other by more than rounding does are those of a skewed picture.
+constexpr double kSkew = 0x1p-40;
 
 /// Watches a frame, and names the polygons that hide each cull by cover.
 class CoverReplay {
@@ -65,10 +69,12 @@ class CoverReplay {
                                         const CoverBuffer::Footprint& at) const {
     CoverWitness witness{range, box, {}, {}, {}};
     if (memory_.buffer.is_of_region()) {
-      add_windows(at, witness);
-      for (const CoverWindow& window : witness.windows) {
-        witness.polygons.insert(witness.polygons.end(), window.polygons.begin(), window.polygons.end());
+      const CoverBuffer::Windows found = memory_.buffer.windows(at);
+      for (const CoverBuffer::Window& window : found.windows) {
+        const std::vector<std::uint32_t> polygons = drawn_.polygons(memory_.buffer, window);
+        witness.polygons.insert(witness.polygons.end(), polygons.begin(), polygons.end());
       }
+      add_windows(found, witness);
     } else {
       drawn_.visit_before(memory_.buffer, box, [&](std::uint32_t, std::uint32_t p) { witness.polygons.push_back(p); });
     }
@@ -77,13 +83,14 @@ class CoverReplay {
     return witness;
   }
 
-  void add_windows(const CoverBuffer::Footprint& at, CoverWitness& witness) const {
-    const CoverBuffer::Windows found = memory_.buffer.windows(at);
+  /// None if the picture is skewed.
+  void add_windows(const CoverBuffer::Windows& found, CoverWitness& witness) const {
     const ConservativeViewport& picture = memory_.buffer.picture();
     // A point is the sum of these, times its distance along the line of sight and, but for the last, its slopes.
     const glm::dvec3 right = dual(picture.right(), picture.up(), picture.forward()),
                      up = dual(picture.up(), picture.forward(), picture.right()),
                      forward = dual(picture.forward(), picture.right(), picture.up());
+    if (std::fabs(glm::dot(right, up)) > kSkew * glm::length(right) * glm::length(up)) return;
     const double distance = 1 / found.focus, x = distance * glm::length(right), y = distance * glm::length(up);
     witness.focus = {picture.eye() + distance * forward, glm::normalize(glm::cross(up, right)), glm::normalize(right)};
     for (const CoverBuffer::Window& window : found.windows) {

@@ -15,6 +15,7 @@
 #include "frame/culler_access.h"
 #include "occlude/fuzz/case.h"
 #include "occlude/oracle/cover.h"
+#include "occlude/oracle/region.h"
 
 namespace occlude::fuzz {
 namespace {
@@ -135,8 +136,11 @@ class CullJudge {
           if (!oracle::contains(to_oracle(witness.box), vertex)) return "a polygon reaches out of the box of its cover";
         }
       }
-      std::vector<oracle::Loop> cover;
-      for (const std::uint32_t p : witness.polygons) cover.push_back(to_oracle(polygon(hierarchy_.soup().loop(p))));
+      if (!witness.windows.empty()) {
+        if (const std::string fault = fault_of_windows(witness); !fault.empty()) return "culled by cover: " + fault;
+        continue;
+      }
+      const std::vector<oracle::Loop> cover = loops(witness.polygons);
       for (const oracle::Viewpoint& eye : eyes()) {
         const oracle::Answer answer =
             oracle::relation_to_cover(eye, cover, to_oracle(witness.box), proof::drawn(camera_, model_));
@@ -154,17 +158,51 @@ class CullJudge {
     return "";
   }
 
-  /// The eye, or the direction. Of several eyes, the one in the middle and those farthest from it along the axes.
+  std::vector<oracle::Loop> loops(const std::vector<std::uint32_t>& polygons) const {
+    std::vector<oracle::Loop> loops;
+    for (const std::uint32_t p : polygons) loops.push_back(to_oracle(polygon(hierarchy_.soup().loop(p))));
+    return loops;
+  }
+
+  const culler::EyeRegion& region() const {
+    return std::visit([](const auto& camera) -> const culler::EyeRegion& { return camera.eyes; }, camera_);
+  }
+
+  /// Checks that the box is hidden from all eyes of the region, by windows.
+  std::string fault_of_windows(const culler::CoverWitness& witness) const {
+    const oracle::Point middle = proof::viewpoint_of(camera_).value;
+    const auto point = [](const dvec3& v) { return oracle::Point{v.x, v.y, v.z}; };
+    const auto& [a, b, c] = region().half_edges;
+    const oracle::EyeRegion eyes = region().radius > 0
+                                       ? oracle::EyeRegion(oracle::Ball{middle, region().radius})
+                                       : oracle::EyeRegion(oracle::Obb{middle, {point(a), point(b), point(c)}});
+    proof::AnyCamera of_one_eye = camera_;
+    std::visit([](auto& camera) { camera.eyes = {}; }, of_one_eye);
+    const oracle::HalfSpaceCoefficients drawn = proof::drawn(of_one_eye, model_, eyes);
+    const auto& [at, normal, right] = witness.focus;
+    oracle::RegionWitness asked{eyes, to_oracle(witness.box), {point(at), point(normal), point(right)}, {}};
+    for (const culler::CoverWindow& w : witness.windows) {
+      asked.windows.push_back({w.x0, w.y0, w.x1, w.y1, oracle::Sheet(loops(w.polygons), drawn)});
+    }
+    return oracle::judge(asked).reason;
+  }
+
+  /// The eye, or the direction. Of several eyes, the one in the middle, and corners of a box or those of a ball that are
+  /// farthest along the axes.
   std::vector<oracle::Viewpoint> eyes() const {
     std::vector<oracle::Viewpoint> eyes{proof::viewpoint_of(camera_)};
-    const auto* const matrix = std::get_if<culler::MatrixCamera>(&camera_);
-    if (matrix == nullptr || matrix->eyes.radius == 0 || eyes[0].at_infinity) return eyes;
-    const double radius = 0.999 * matrix->eyes.radius;  // rounding moves none of them out of it
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const double e : {-radius, radius}) {
-        eyes.push_back(eyes[0]);
-        eyes.back().value[axis] += e;
-      }
+    if (region().is_point() || eyes[0].at_infinity) return eyes;
+    const auto add = [&](const dvec3& off) {
+      eyes.push_back(eyes[0]);
+      for (int axis = 0; axis < 3; ++axis) eyes.back().value[static_cast<std::size_t>(axis)] += 0.999 * off[axis];
+    };
+    for (int i = 0; i < 8; ++i) {
+      const dvec3 signs(i % 2 == 0 ? 1 : -1, i / 2 % 2 == 0 ? 1 : -1, i / 4 == 0 ? 1 : -1);
+      const auto& [a, b, c] = region().half_edges;
+      add(signs.x * a + signs.y * b + signs.z * c);
+      dvec3 axis(0);
+      axis[i / 2 % 3] = signs.x;
+      add(region().radius * axis);
     }
     return eyes;
   }

@@ -79,11 +79,28 @@ void turn_to_axis(Random& random, Camera& camera) {
   camera.up = up;
 }
 
-/// What is wrong with the frame of a matrix of the camera, perhaps for several eyes.
-std::string fault_from_eyes(Random& random, const Culler& culler, const Camera& camera, const culler::CullOptions& options) {
+/// A ball, or a box with up to three half-edges.
+culler::EyeRegion some_region(Random& random) {
+  const double size = std::array{1e-9, 0x1p-10, 0x1p-5, 0.5}[random.index(4)];
+  if (random.chance(0.4)) return culler::EyeRegion::ball(size);
+  culler::EyeRegion eyes;
+  for (int i = random.integer(0, 2); i < 3; ++i)
+    eyes.half_edges[static_cast<std::size_t>(i)] = size * lattice_point(random, 2);
+  return eyes;
+}
+
+template <class AnyCamera>
+std::string fault_of_frame(const Culler& culler, const AnyCamera& camera, const culler::CullOptions& options) {
+  return culler::fault(camera).empty() ? fuzz::fault_of(culler, camera, options, culler.cull(camera, options)) : "";
+}
+
+/// What is wrong with the frame of the camera or a matrix of it, perhaps for several eyes.
+std::string fault_from_eyes(Random& random, const Culler& culler, Camera camera, const culler::CullOptions& options) {
+  if (random.chance(0.5)) camera.eyes = some_region(random);
+  if (random.chance(0.5)) return fault_of_frame(culler, camera, options);
   culler::MatrixCamera matrix = matrix_of(random, camera);
-  if (random.chance(0.5)) matrix.eyes.radius = std::array{1e-9, 0x1p-10, 0x1p-5, 0.5}[random.index(4)];
-  return culler::fault(matrix).empty() ? fuzz::fault_of(culler, matrix, options, culler.cull(matrix, options)) : "";
+  matrix.eyes = camera.eyes;
+  return fault_of_frame(culler, matrix, options);
 }
 
 }  // namespace
