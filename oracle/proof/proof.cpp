@@ -237,7 +237,7 @@ std::string Prover::fault(const Json& object, const AnyCamera& any, std::size_t 
   if (by != "shadow" && by != "cover") return "\"by\": expected \"view\", \"shadow\" or \"cover\"";
 
   if (by == "cover" && margin != 0) return "a cover has no margin";
-  if (by == "cover" && eyes) return fault_of_region({*eyes, to_oracle(box), focus_of(object), {}}, object, camera);
+  if (by == "cover" && eyes) return fault_of_region(*eyes, object, camera, box);
   if (eyes && margin != 0) return "a shadow for a region of eyes has no margin";
   if (eyes) return fault_of_umbra(*eyes, object, camera, box, first, count);
   const kernel::Viewpoint view = viewpoint(object);
@@ -274,26 +274,39 @@ std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint
   return answer.relation == oracle::Relation::inside ? "" : "the polygons do not hide the box";
 }
 
-std::string Prover::fault_of_region(oracle::RegionWitness witness, const Json& object, const AnyCamera& camera) const {
-  const Json& windows = member(object, "windows");
-  if (!windows.is_array()) throw LineError("\"windows\": expected a list");
-  if (windows.size() > render::kMostWitnessWindows)
-    throw LineError(fmt::format("\"windows\": more than {}", render::kMostWitnessWindows));
-  const oracle::HalfSpaceCoefficients beyond_near = drawn(camera, model_, witness.eyes);
+std::string Prover::fault_of_region(const oracle::EyeRegion& eyes, const Json& object, const AnyCamera& camera,
+                                    const Box& box) const {
+  const oracle::HalfSpaceCoefficients beyond_near = drawn(camera, model_, eyes);
   std::map<Json, oracle::Sheet> sheets;  // windows side by side have the same polygons
-  std::size_t vertices = 0;
-  for (const Json& window : windows) {
-    const auto [x0, y0, x1, y1] = rectangle_of(window);
-    const Json& polygons = member(window, "polygons");
+  std::size_t windows = 0, vertices = 0;
+  std::string fault;
+  const auto sheet_of = [&](const Json& polygons) {
     auto found = sheets.find(polygons);
-    if (found == sheets.end()) {
-      const auto [cover, fault] = cover_of(polygons, vertices);
-      if (!fault.empty()) return fault;
-      found = sheets.emplace(polygons, oracle::Sheet(cover, beyond_near)).first;
+    if (found != sheets.end()) return found->second;
+    auto [cover, fault_of_cover] = cover_of(polygons, vertices);
+    if (fault.empty()) fault = fault_of_cover;
+    return sheets.emplace(polygons, oracle::Sheet(cover, beyond_near)).first->second;
+  };
+  const std::function<oracle::Layer(const Json&)> layer_of = [&](const Json& described) {
+    const Json& listed = member(described, "windows");
+    if (!listed.is_array()) throw LineError("\"windows\": expected a list");
+    windows += listed.size();
+    if (windows > render::kMostWitnessWindows)
+      throw LineError(fmt::format("\"windows\": more than {}", render::kMostWitnessWindows));
+    oracle::Layer layer{focus_of(described), {}};
+    for (const Json& window : listed) {
+      const auto [x0, y0, x1, y1] = rectangle_of(window);
+      if (window.contains("windows") && window.contains("polygons")) throw LineError("both \"polygons\" and \"windows\"");
+      if (window.contains("windows")) {
+        layer.windows.push_back({x0, y0, x1, y1, layer_of(window)});
+      } else {
+        layer.windows.push_back({x0, y0, x1, y1, sheet_of(member(window, "polygons"))});
+      }
     }
-    witness.windows.push_back({x0, y0, x1, y1, found->second});
-  }
-  return oracle::judge(witness).reason;
+    return layer;
+  };
+  const oracle::RegionWitness witness{eyes, to_oracle(box), layer_of(object)};
+  return fault.empty() ? oracle::judge(witness).reason : fault;
 }
 
 Prover::CoverOrFault Prover::cover_of(const Json& polygons, std::size_t& vertices) const {

@@ -87,9 +87,9 @@ class Prover {
     std::string fault;
   };
   [[nodiscard]] CoverOrFault cover_of(const nlohmann::json& polygons, std::size_t& vertices) const;
-  /// Why the windows on the line do not hide the box of the witness from its eyes. Empty when they do.
-  [[nodiscard]] std::string fault_of_region(oracle::RegionWitness witness, const nlohmann::json& object,
-                                            const AnyCamera& camera) const;
+  /// Why the windows on the line do not hide the box from the eyes. Empty when they do.
+  [[nodiscard]] std::string fault_of_region(const oracle::EyeRegion& eyes, const nlohmann::json& object,
+                                            const AnyCamera& camera, const Box& box) const;
   /// Why the polygons do not hide the box together. Empty when they do.
   [[nodiscard]] std::string fault_of_cover(const nlohmann::json& polygons, const kernel::Viewpoint& view,
                                            const AnyCamera& camera, const Box& box) const;

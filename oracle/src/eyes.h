@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "occlude/oracle/region.h"
@@ -18,9 +17,6 @@ struct Eyes {
   N radius = N(0);
   bool is_round = false;  ///< whether the radius is not zero
 };
-
-/// Why the region cannot be used. Empty when it can.
-[[nodiscard]] std::string fault_of(const EyeRegion& eyes);
 
 /// The corners of a box. Half edges of zero do not double them.
 template <class N>

@@ -18,9 +18,9 @@
 #include "box.h"
 #include "clipped.h"
 #include "eyes.h"
-#include "faults.h"
 #include "half_spaces.h"
 #include "rectangles.h"
+#include "region_faults.h"
 #include "separation.h"
 #include "sheet.h"
 
@@ -34,20 +34,13 @@ enum class Cut { drawn, undrawn, nearer, farther, before_focus, beyond_focus };
 /// The set that a polygon may meet: the eyes, or lines through a window up to the focus plane or beyond it.
 enum class Part { eyes, before, beyond };
 
-/// What a witness is about, in one number type.
+/// What a layer is about, in one number type.
 template <class N>
 struct Setting {
   Eyes<N> eyes;
   Vector<N> origin, right, up, forward;  ///< of the focus plane
   std::vector<Vector<N>> box;            ///< its corners
-
-  explicit Setting(const RegionWitness& witness)
-      : eyes(eyes_of<N>(witness.eyes)),
-        origin(vector_of<N>(witness.focus.point)),
-        right(vector_of<N>(witness.focus.right)),
-        up(CGAL::cross_product(right, vector_of<N>(witness.focus.normal))),
-        forward(CGAL::cross_product(up, right)),
-        box(std::visit([](const auto& kind) { return corners_of<N>(kind); }, witness.box)) {}
+  std::vector<Vector<N>> seen;           ///< the corners of what is seen through the layer: a box or a window
 
   [[nodiscard]] Vector<N> at(const N& x, const N& y) const { return origin + x * right + y * up; }
 };
@@ -75,10 +68,27 @@ struct Obstacle {
   std::span<const Cut> cuts;
 };
 
-/// A witness with sound numbers.
+constexpr const char* words(RegionFault fault) {
+  constexpr std::array kWords{"",
+                              "the windows take too much work",
+                              "the eyes reach the focus plane",
+                              "the eyes reach the depth of the box",
+                              "the windows do not cover what the box is seen through",
+                              "the eyes touch the sheet",
+                              "the border of the sheet shows before the focus plane",
+                              "the border of the sheet shows beyond the focus plane",
+                              "the sheet reaches the depth of the box",
+                              "the sheet is met an even number of times"};
+  return kWords[static_cast<std::size_t>(fault)];
+}
+
+/// Judges a layer of a witness with sound numbers.
 class Judge {
  public:
-  explicit Judge(const RegionWitness& witness) : witness_(witness), approximate_(witness) {
+  /// The lines of sight are those to the box, or to the window at which the judge of another layer is. `work` is what has
+  /// been done so far.
+  Judge(const RegionWitness& witness, const Layer& layer, Judge* of_window, std::size_t& work)
+      : witness_(witness), layer_(layer), of_window_(of_window), work_(work), approximate_(setting<Interval>()) {
     for (std::size_t i = 1; i < approximate_.box.size(); ++i) {
       const auto farther_by = [&]<class N>() -> N { return in<N>().forward * (in<N>().box[i] - in<N>().box[nearest_]); };
       if (sign_of(farther_by) == CGAL::NEGATIVE) nearest_ = i;
@@ -86,24 +96,38 @@ class Judge {
   }
 
   [[nodiscard]] RegionVerdict verdict() {
-    if (least_side_of_eyes(Cut::before_focus) != CGAL::POSITIVE) return {RegionFault::eyes_at_focus, 0, {}};
-    if (least_side_of_eyes(Cut::nearer) != CGAL::POSITIVE) return {RegionFault::eyes_at_box, 0, {}};
-    if (!is_shadow_covered()) return {RegionFault::uncovered, 0, {}};
-    for (std::size_t i = 0; i < witness_.windows.size(); ++i) {
-      const RegionFault fault = fault_of(witness_.windows[i]);
-      if (work_ > kMostWork) return {RegionFault::refused, i, "the windows take too much work"};
-      if (fault != RegionFault::none) return {fault, i, {}};
+    const auto is = [](RegionFault fault) { return RegionVerdict{fault, 0, words(fault)}; };
+    if (least_side_of_eyes(Cut::before_focus) != CGAL::POSITIVE) return is(RegionFault::eyes_at_focus);
+    if (least_side_of_eyes(Cut::nearer) != CGAL::POSITIVE || !are_eyes_before_seen()) return is(RegionFault::eyes_at_box);
+    if (!is_shadow_covered()) return is(RegionFault::uncovered);
+    for (std::size_t i = 0; i < layer_.windows.size(); ++i) {
+      const RegionVerdict found = verdict_on(layer_.windows[i]);
+      if (!found.is_proved()) return {found.fault, i, "window " + std::to_string(i) + ": " + found.reason};
     }
     return {};
   }
 
  private:
   template <class N>
+  Setting<N> setting() {
+    const Vector<N> right = vector_of<N>(layer_.focus.right);
+    const Vector<N> up = CGAL::cross_product(right, vector_of<N>(layer_.focus.normal));
+    const auto box = std::visit([](const auto& kind) { return corners_of<N>(kind); }, witness_.box);
+    return {eyes_of<N>(witness_.eyes),
+            vector_of<N>(layer_.focus.point),
+            right,
+            up,
+            CGAL::cross_product(up, right),
+            box,
+            of_window_ ? of_window_->corners<N>() : box};
+  }
+
+  template <class N>
   const Setting<N>& in() {
     if constexpr (std::is_same_v<N, Interval>) {
       return approximate_;
     } else {
-      if (!exact_) exact_.emplace(witness_);
+      if (!exact_) exact_ = setting<N>();
       return *exact_;
     }
   }
@@ -123,14 +147,24 @@ class Judge {
     return decide([&]<class N>() { return least_side(in<N>().eyes, half_space<N>(cut)); });
   }
 
-  /// Whether all lines of sight cross the focus plane where sign * coordinate `k` <= sign * bound. Let b be a corner of the
-  /// box and m the normal of the plane through b and the points with that coordinate. An eye e sees b at bound + m . (e - b)
-  /// over a positive number. For one eye the coordinate has its extremes at corners of the box.
+  bool are_eyes_before_seen() {
+    for (std::size_t i = 0; i < approximate_.seen.size(); ++i) {
+      const CGAL::Sign side = decide([&]<class N>() {
+        return least_side(in<N>().eyes, HalfSpace<N>{-in<N>().forward, in<N>().seen[i]});
+      });
+      if (side != CGAL::POSITIVE) return false;
+    }
+    return true;
+  }
+
+  /// Whether all lines of sight cross the focus plane where sign * coordinate `k` <= sign * bound. Let b be a corner of what
+  /// is seen and m the normal of the plane through b and the points with that coordinate. An eye e sees b at bound + m . (e
+  /// - b) over a positive number. For one eye the coordinate has its extremes at corners.
   bool is_shadow_within(std::size_t k, double bound, int sign) {
-    for (std::size_t i = 0; i < approximate_.box.size(); ++i) {
+    for (std::size_t i = 0; i < approximate_.seen.size(); ++i) {
       const CGAL::Sign side = decide([&]<class N>() {
         const Setting<N>& s = in<N>();
-        const Vector<N>& b = s.box[i];
+        const Vector<N>& b = s.seen[i];
         const Vector<N> to_b = b - s.at(k == 0 ? N(bound) : N(0), k == 0 ? N(0) : N(bound));
         const Vector<N> m = k == 0 ? CGAL::cross_product(to_b, s.up) : CGAL::cross_product(s.right, to_b);
         return least_side(s.eyes, HalfSpace<N>{N(-sign) * m, b});
@@ -143,7 +177,7 @@ class Judge {
   /// The windows cover a rectangle when they cover the smallest one around it whose sides lie on sides of windows.
   bool is_shadow_covered() {
     std::vector<Rectangle> windows;
-    for (const auto& [x0, y0, x1, y1, sheet] : witness_.windows) windows.push_back({{x0, y0}, {x1, y1}});
+    for (const auto& [x0, y0, x1, y1, to] : layer_.windows) windows.push_back({{x0, y0}, {x1, y1}});
     Rectangle shadow{};
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<double> sides;
@@ -158,12 +192,20 @@ class Judge {
     return is_covered(shadow, std::move(windows));
   }
 
-  RegionFault fault_of(const Window& window) {
+  RegionVerdict verdict_on(const Window& window) {
     window_ = &window;
+    if (const Layer* layer = std::get_if<Layer>(&window.to)) return Judge(witness_, *layer, this, work_).verdict();
+    const RegionFault fault = fault_of(std::get<Sheet>(window.to).prepared());
+    const RegionFault known = work_ > kMostWork ? RegionFault::refused : fault;
+    return {known, 0, words(known)};
+  }
+
+  /// What the sheet of the window fails to show.
+  RegionFault fault_of(const Sheet::Prepared& sheet) {
     for (const Part part : {Part::before, Part::beyond}) {
       for (Bound& bound : bounds(part)) bound.most = most(bound.normal, part);
     }
-    if (sheet_ != &window.sheet.prepared()) take(window.sheet.prepared());
+    if (sheet_ != &sheet) take(sheet);
     const auto meet = [&](const std::vector<Obstacle>& obstacles, Part part) {
       return std::ranges::any_of(obstacles, [&](const Obstacle& obstacle) { return meets(obstacle, part); });
     };
@@ -342,94 +384,25 @@ class Judge {
   }
 
   const RegionWitness& witness_;
+  const Layer& layer_;
+  Judge* of_window_;
+  std::size_t& work_;
   Setting<Interval> approximate_;
   std::optional<Setting<Exact>> exact_;
   std::size_t nearest_ = 0;  ///< the corner of the box
-  std::size_t work_ = 0;
   const Window* window_ = nullptr;
   const Sheet::Prepared* sheet_ = nullptr;
   std::vector<Obstacle> border_, deep_, at_eyes_;  ///< of the sheet, those that no line, and no eye, may meet
   std::array<std::vector<Bound>, 3> bounds_;       ///< of each part, with normals that were found for other windows, too
 };
 
-std::string fault_of(const Focus& focus) {
-  const std::array points{focus.point, focus.normal, focus.right};
-  if (std::string reason = range_fault(points); !reason.empty()) return reason;
-  const auto up = [&]<class N>() -> N {
-    return CGAL::cross_product(vector_of<N>(focus.right), vector_of<N>(focus.normal)).squared_length();
-  };
-  return sign_of(up) == CGAL::ZERO ? "the focus plane has no axes" : "";
-}
-
-std::string fault_of(const Window& window) {
-  const std::array points{Point{window.x0, window.y0, 0}, Point{window.x1, window.y1, 0}};
-  if (std::string reason = range_fault(points); !reason.empty()) return reason;
-  return window.x0 < window.x1 && window.y0 < window.y1 ? window.sheet.prepared().fault : "a window is empty";
-}
-
-/// Whether the numbers are sound.
-RegionVerdict check(const RegionWitness& witness) {
-  for (std::string reason : {fault_of(witness.eyes), strict_box_fault(witness.box), fault_of(witness.focus)}) {
-    if (!reason.empty()) return {RegionFault::refused, 0, std::move(reason)};
-  }
-  for (std::size_t i = 0; i < witness.windows.size(); ++i) {
-    if (std::string reason = fault_of(witness.windows[i]); !reason.empty())
-      return {RegionFault::refused, i, std::move(reason)};
-  }
-  return {};
-}
-
-std::string words(const RegionVerdict& verdict) {
-  const std::string window = "window " + std::to_string(verdict.window) + ": ";
-  switch (verdict.fault) {
-    case RegionFault::none:
-      return "";
-    case RegionFault::refused:
-      return verdict.reason;
-    case RegionFault::eyes_at_focus:
-      return "the eyes reach the focus plane";
-    case RegionFault::eyes_at_box:
-      return "the eyes reach the depth of the box";
-    case RegionFault::uncovered:
-      return "the windows do not cover what the box is seen through";
-    case RegionFault::eyes_at_sheet:
-      return window + "the eyes touch the sheet";
-    case RegionFault::border_before:
-      return window + "the border of the sheet shows before the focus plane";
-    case RegionFault::border_beyond:
-      return window + "the border of the sheet shows beyond the focus plane";
-    case RegionFault::not_nearer:
-      return window + "the sheet reaches the depth of the box";
-    case RegionFault::even:
-      return window + "the sheet is met an even number of times";
-  }
-  return "";
-}
-
 }  // namespace
-
-std::string fault_of(const EyeRegion& eyes) {
-  if (const Obb* box = std::get_if<Obb>(&eyes)) return strict_box_fault(*box);
-  const auto& [center, radius] = std::get<Ball>(eyes);
-  const std::array points{center, Point{radius, 0, 0}};
-  return radius < 0 ? "the radius is negative" : range_fault(points);
-}
-
-bool contains(const Ball& ball, const Point& point) {
-  if (!fault_of(ball).empty()) return false;
-  const RoundUpward rounding;
-  const auto beyond = [&]<class N>() -> N {
-    return difference<N>(ball.center, point).squared_length() - N(ball.radius) * N(ball.radius);
-  };
-  return sign_of(beyond) != CGAL::POSITIVE;
-}
 
 RegionVerdict judge(const RegionWitness& witness) {
   const RoundUpward rounding;
-  RegionVerdict verdict = check(witness);
-  if (verdict.is_proved()) verdict = Judge(witness).verdict();
-  verdict.reason = words(verdict);
-  return verdict;
+  if (std::string reason = fault_of(witness); !reason.empty()) return {RegionFault::refused, 0, std::move(reason)};
+  std::size_t work = 0;
+  return Judge(witness, witness.layer, nullptr, work).verdict();
 }
 
 }  // namespace occlude::oracle

@@ -12,6 +12,7 @@
 #include "half_spaces.h"
 #include "occlude/oracle/region.h"
 #include "prepared.h"
+#include "region_faults.h"
 
 namespace occlude::oracle {
 namespace {

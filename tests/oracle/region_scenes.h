@@ -28,10 +28,10 @@ struct RegionScene {
   [[nodiscard]] RegionWitness witness() const {
     std::vector<Sheet> prepared;
     for (const std::vector<Loop>& polygons : sheets) prepared.emplace_back(polygons, drawn);
-    RegionWitness result{eyes, box, focus, {}};
+    RegionWitness result{eyes, box, {focus, {}}};
     for (std::size_t i = 0; i < rectangles.size(); ++i) {
       const auto& [x0, y0, x1, y1] = rectangles[i];
-      result.windows.push_back({x0, y0, x1, y1, prepared[sheet_of[i]]});
+      result.layer.windows.push_back({x0, y0, x1, y1, prepared[sheet_of[i]]});
     }
     return result;
   }

@@ -115,6 +115,29 @@ TEST(Region, WindowsThatCoverTogether) {
       << "a ring";
 }
 
+/// What is seen through |y|, |z| <= 1 at x = 4 is seen through the same square at x = 2, where the eyes see the left half of
+/// the square at x = 4 through -1 <= y <= 1/2.
+TEST(Region, ALayerBehindAnother) {
+  const auto of = [](double end, double end_of_wall) {
+    const Layer near{focus(2), {window(-1, end, -1, 1, Sheet({wall(2, -2, end_of_wall, -2, 2)}))}};
+    Window left = window(-1, 0, -1, 1, Sheet(Polygons{})), right = window(0, 1, -1, 1, Sheet({wall(4.5, -1, 2, -2, 2)}));
+    left.to = near;
+    return verdict(square_and_cube(4, {left, right}));
+  };
+  EXPECT_EQ(of(0.5, 1), "");
+  EXPECT_EQ(of(below(0.5), 1), in_window(0, kUncovered));
+  EXPECT_EQ(of(0.5, 0.5), in_window(0, in_window(0, kBefore)));
+  RegionWitness witness = square_and_cube(4, {window(1, Sheet({wall(4, 2)}))});
+  witness.layer.windows[0].to = Layer{focus(0), {}};
+  EXPECT_EQ(verdict(witness), in_window(0, "the eyes reach the focus plane"));
+  witness.layer.windows[0].to = Layer{focus(5), {window(1.25, Sheet({wall(3, 2)}))}};
+  EXPECT_EQ(verdict(witness), in_window(0, kUncovered)) << "the square at x = 5 is |y|, |z| <= 3/2";
+  witness.layer.windows[0].to = Layer{focus(5), {window(1.5, Sheet({wall(3, 2)}))}};
+  EXPECT_EQ(verdict(witness), "");
+  witness.layer.windows[0].to = Layer{focus(5), {window(1.5, Sheet({wall(7, 9)}))}};
+  EXPECT_EQ(verdict(witness), in_window(0, in_window(0, kEven))) << "behind the box";
+}
+
 /// The eye and the box are points, so one line is all.
 TEST(Region, PointsAreRegions) {
   const Obb eye{{0, 0, 0}, {}};
@@ -231,14 +254,14 @@ TEST(Region, EyesMustBeBeforeEverything) {
   RegionWitness witness = square_and_cube(4, {window(1, Sheet({wall(3, 9), wall(0, 9)}))});
   EXPECT_EQ(judge(witness).reason, "window 0: the eyes touch the sheet");
   EXPECT_EQ(judge(witness).fault, RegionFault::eyes_at_sheet);
-  witness.windows[0].sheet = Sheet({wall(3, 9), wall(0, 9)}, HalfSpaceCoefficients{1, 0, 0, below(0)});
-  witness.windows[0].sheet = Sheet({wall(3, 9), wall(0, 9)}, HalfSpaceCoefficients{1, 0, 0, -0.125});
+  witness.layer.windows[0].to = Sheet({wall(3, 9), wall(0, 9)}, HalfSpaceCoefficients{1, 0, 0, below(0)});
+  witness.layer.windows[0].to = Sheet({wall(3, 9), wall(0, 9)}, HalfSpaceCoefficients{1, 0, 0, -0.125});
   EXPECT_EQ(verdict(witness), "");
-  witness.focus = focus(0);
+  witness.layer.focus = focus(0);
   EXPECT_EQ(verdict(witness), "the eyes reach the focus plane");
-  witness.focus = focus(-1);
+  witness.layer.focus = focus(-1);
   EXPECT_EQ(verdict(witness), "the eyes reach the focus plane");
-  witness.focus = focus(4);
+  witness.layer.focus = focus(4);
   witness.box = Aabb{{0, 5, 5}, {1, 6, 6}};
   EXPECT_EQ(verdict(witness), "the eyes reach the depth of the box");
 }
@@ -315,17 +338,17 @@ TEST(Region, RefusesBadNumbers) {
             }),
             "a coordinate is out of range");
   EXPECT_EQ(reason([](RegionWitness& w) { w.box = Aabb{{6, 0, 0}, {5, 1, 1}}; }), "the box has min > max");
-  EXPECT_EQ(reason([](RegionWitness& w) { w.focus.right = w.focus.normal; }), "the focus plane has no axes");
-  EXPECT_EQ(reason([](RegionWitness& w) { w.focus.normal = {}; }), "the focus plane has no axes");
-  EXPECT_EQ(reason([](RegionWitness& w) { w.focus.point[0] = kNan; }), "a number is not finite");
-  EXPECT_EQ(reason([](RegionWitness& w) { w.windows[0].x0 = 1; }), "a window is empty");
-  EXPECT_EQ(reason([](RegionWitness& w) { w.windows[0].x0 = -kInfinity; }), "a number is not finite");
+  EXPECT_EQ(reason([](RegionWitness& w) { w.layer.focus.right = w.layer.focus.normal; }), "the focus plane has no axes");
+  EXPECT_EQ(reason([](RegionWitness& w) { w.layer.focus.normal = {}; }), "the focus plane has no axes");
+  EXPECT_EQ(reason([](RegionWitness& w) { w.layer.focus.point[0] = kNan; }), "a number is not finite");
+  EXPECT_EQ(reason([](RegionWitness& w) { w.layer.windows[0].x0 = 1; }), "a window is empty");
+  EXPECT_EQ(reason([](RegionWitness& w) { w.layer.windows[0].x0 = -kInfinity; }), "a number is not finite");
   EXPECT_EQ(reason([](RegionWitness& w) {
-              w.windows[0].sheet = Sheet({{{1, 1, 1}, {2, 2, 2}}});
+              w.layer.windows[0].to = Sheet({{{1, 1, 1}, {2, 2, 2}}});
             }),
             "a polygon has fewer than 3 vertices");
   EXPECT_EQ(reason([](RegionWitness& w) {
-              w.windows[0].sheet = Sheet({wall(4, 2)}, HalfSpaceCoefficients{kNan, 0, 0, 0});
+              w.layer.windows[0].to = Sheet({wall(4, 2)}, HalfSpaceCoefficients{kNan, 0, 0, 0});
             }),
             "a number is not finite");
 }

@@ -371,6 +371,13 @@ TEST_F(RegionCull, IsProvedByTheOracle) {
       "")
       << "the first axis is -y";
   EXPECT_EQ(fault_of_cover(ball_, ""), kUncovered);
+  const auto nested = [](double half) {
+    return fmt::format(
+        R"({{"rect":[-0.51,-0.51,0.51,0.51],"focus":{{"point":[1,0,0],"normal":[1,0,0],"right":[0,-1,0]}},"windows":[{{"rect":[-{0},-{0},{0},{0}],"polygons":[0,1]}}]}})",
+        half);
+  };
+  EXPECT_EQ(fault_of_cover(ball_, nested(0.5)), "");
+  EXPECT_EQ(fault_of_cover(ball_, nested(0.3)), std::string("window 0: ") + kUncovered);
   EXPECT_EQ(fault_of_cover(ball_, R"({"rect":[-0.51,-0.51,0.51,0.51],"polygons":[0,4]})"),
             "a see-through polygon hides nothing");
   EXPECT_EQ(fault_of_cover(ball_, R"({"rect":[-0.51,-0.51,0.51,0.51],"polygons":[9]})"), "no such polygon");
@@ -435,7 +442,8 @@ TEST_F(RegionCull, RefusesWhatIsNoWitness) {
        {R"("by":"cover")", R"("by":"cover","windows":1)", R"("by":"cover","windows":[1])",
         R"("by":"cover","windows":[{"polygons":[]}])", R"("by":"cover","windows":[{"rect":[0,0,1],"polygons":[]}])",
         R"("by":"cover","windows":[{"rect":[0,0,1,1]}])", R"("by":"cover","windows":[{"rect":[0,0,1,1],"polygons":[-1]}])",
-        R"("by":"cover","windows":[],"eye":[0,0,0])"}) {
+        R"("by":"cover","windows":[],"eye":[0,0,0])", R"("by":"cover","windows":[{"rect":[0,0,1,1],"windows":[]}])",
+        R"("by":"cover","windows":[{"rect":[0,0,1,1],"windows":[],"polygons":[]}])"}) {
     EXPECT_THROW(fault(ball_, line), LineError) << line;
   }
   EXPECT_EQ(fault_of_cover(R"({"center":["nan",0,0],"radius":1})", window), "the frame's eye is not in the region");

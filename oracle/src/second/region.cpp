@@ -112,17 +112,19 @@ bool is_covered(Rectangle r, std::span<const Window> windows) {
   return true;
 }
 
+/// Judges a layer. The lines of sight are those from `eyes` to `seen`.
 class RegionJudge {
  public:
-  RegionJudge(const RegionWitness& witness, Corners eyes)
-      : witness_(witness),
+  RegionJudge(const Layer& layer, Corners eyes, Corners box, Corners seen)
+      : layer_(layer),
         eyes_(std::move(eyes)),
-        box_(corners(witness.box)),
-        origin_(vector(witness.focus.point)),
-        right_(vector(witness.focus.right)),
-        up_(cross(right_, vector(witness.focus.normal))),
-        forward_(cross(up_, right_)) {
-    end_ = depth(box_[0]);
+        box_(std::move(box)),
+        seen_(std::move(seen)),
+        origin_(vector(layer.focus.point)),
+        right_(vector(layer.focus.right)),
+        up_(cross(right_, vector(layer.focus.normal))),
+        forward_(cross(up_, right_)),
+        end_(depth(box_[0])) {
     for (const Vector& b : box_) end_ = std::min(end_, depth(b));
   }
 
@@ -131,10 +133,12 @@ class RegionJudge {
       return std::ranges::any_of(eyes_, [&](const Vector& e) { return depth(e) >= least; });
     };
     if (reach(0)) return {RegionFault::eyes_at_focus, 0, {}};
-    if (reach(end_)) return {RegionFault::eyes_at_box, 0, {}};
-    if (!is_covered(shadow(), witness_.windows)) return {RegionFault::uncovered, 0, {}};
-    for (std::size_t i = 0; i < witness_.windows.size(); ++i) {
-      if (const RegionFault fault = fault_of(witness_.windows[i]); fault != RegionFault::none) return {fault, i, {}};
+    if (reach(end_) || std::ranges::any_of(seen_, [&](const Vector& x) { return reach(depth(x)); })) {
+      return {RegionFault::eyes_at_box, 0, {}};
+    }
+    if (!is_covered(shadow(), layer_.windows)) return {RegionFault::uncovered, 0, {}};
+    for (std::size_t i = 0; i < layer_.windows.size(); ++i) {
+      if (const RegionFault fault = fault_of(layer_.windows[i]); fault != RegionFault::none) return {fault, i, {}};
     }
     return {};
   }
@@ -148,7 +152,7 @@ class RegionJudge {
   [[nodiscard]] Rectangle shadow() const {
     std::optional<Rectangle> result;
     for (const Vector& e : eyes_) {
-      for (const Vector& b : box_) {
+      for (const Vector& b : seen_) {
         std::array<Ratio, 2> at;
         for (std::size_t k = 0; k < 2; ++k) {
           const Vector& axis = k == 0 ? right_ : up_;
@@ -166,8 +170,12 @@ class RegionJudge {
   }
 
   [[nodiscard]] RegionFault fault_of(const Window& window) const {
-    const std::vector<Triangle> triangles = triangles_of(window.sheet);
-    const auto of_sheet = [&](std::span<const Point> points) { return drawn(window.sheet, points); };
+    if (const Layer* layer = std::get_if<Layer>(&window.to)) {
+      return RegionJudge(*layer, eyes_, box_, corners_of(window)).verdict().fault;
+    }
+    const Sheet& sheet = std::get<Sheet>(window.to);
+    const std::vector<Triangle> triangles = triangles_of(sheet);
+    const auto of_sheet = [&](std::span<const Point> points) { return drawn(sheet, points); };
     const auto begins_before = [&](const Triangle& t) { return least(of_sheet(t)) < 0; };
     for (const Triangle& t : triangles) {
       if (meet(polygon(t), {eyes_, {}}, {of_sheet(t)})) return RegionFault::eyes_at_sheet;
@@ -200,12 +208,17 @@ class RegionJudge {
     return is_odd(window, triangles) ? RegionFault::none : RegionFault::even;
   }
 
+  [[nodiscard]] Corners corners_of(const Window& window) const {
+    Corners result;
+    for (const double x : {window.x0, window.x1}) {
+      for (const double y : {window.y0, window.y1}) result.push_back(plus(plus(origin_, x, right_), y, up_));
+    }
+    return result;
+  }
+
   /// Where the lines through the window are before the focus plane or beyond it.
   [[nodiscard]] Part lines(const Window& window, bool is_beyond) const {
-    Part part;
-    for (const double x : {window.x0, window.x1}) {
-      for (const double y : {window.y0, window.y1}) part.points.push_back(plus(plus(origin_, x, right_), y, up_));
-    }
+    Part part{corners_of(window), {}};
     if (!is_beyond) {
       part.points.insert(part.points.end(), eyes_.begin(), eyes_.end());
       return part;
@@ -226,7 +239,8 @@ class RegionJudge {
       const auto at = [&](double low, double high) { return Number(low) + Number(share()) * (Number(high) - Number(low)); };
       const Vector p = plus(plus(origin_, at(window.x0, window.x1), right_), at(window.y0, window.y1), up_);
       const auto meets_line = [&](std::span<const Point> points) {
-        return meet(polygon(points), {{e}, {p - e}}, {drawn(window.sheet, points), negative(beyond(end_, points))});
+        return meet(polygon(points), {{e}, {p - e}},
+                    {drawn(std::get<Sheet>(window.to), points), negative(beyond(end_, points))});
       };
       std::size_t count = 0;
       bool is_general = true;
@@ -295,8 +309,8 @@ class RegionJudge {
   }
   static Number least(const Heights& heights) { return *std::ranges::min_element(heights); }
 
-  const RegionWitness& witness_;
-  Corners eyes_, box_;
+  const Layer& layer_;
+  Corners eyes_, box_, seen_;
   Vector origin_, right_, up_, forward_;
   Number end_;  ///< the depth of the nearest corner of the box
 };
@@ -304,13 +318,15 @@ class RegionJudge {
 }  // namespace
 
 RegionVerdict judge(const RegionWitness& witness) {
-  return RegionJudge(witness, corners(std::get<Obb>(witness.eyes))).verdict();
+  const Corners box = corners(witness.box);
+  return RegionJudge(witness.layer, corners(std::get<Obb>(witness.eyes)), box, box).verdict();
 }
 
 RegionVerdict judge(const RegionWitness& witness, std::span<const Point> eyes) {
-  Corners corners;
-  for (const Point& e : eyes) corners.push_back(vector(e));
-  return RegionJudge(witness, corners).verdict();
+  Corners of_eyes;
+  for (const Point& e : eyes) of_eyes.push_back(vector(e));
+  const Corners box = corners(witness.box);
+  return RegionJudge(witness.layer, of_eyes, box, box).verdict();
 }
 
 }  // namespace occlude::oracle::second

@@ -49,18 +49,26 @@ class Sheet {
   std::shared_ptr<const Prepared> prepared_;
 };
 
-/// The lines of sight that cross the focus plane at x0 <= x <= x1 and y0 <= y <= y1, and the sheet that all of them meet.
+struct Window;
+
+/// A focus plane and windows on it.
+struct Layer {
+  Focus focus;
+  std::vector<Window> windows;
+};
+
+/// The lines of sight that cross the focus plane at x0 <= x <= x1 and y0 <= y <= y1, and the sheet that all of them meet, or
+/// another layer through whose windows all of them go.
 struct Window {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  Sheet sheet;
+  std::variant<Sheet, Layer> to;
 };
 
 /// Why a box is said to be hidden from every eye of the region.
 struct RegionWitness {
   EyeRegion eyes;
   Box box;
-  Focus focus;
-  std::vector<Window> windows;
+  Layer layer;
 };
 
 /// What a witness fails to show. They are asked in this order, those of a window for one window after another.
@@ -79,7 +87,7 @@ enum class RegionFault {
 
 struct RegionVerdict {
   RegionFault fault = RegionFault::none;
-  std::size_t window = 0;  ///< of which the fault is, for those from eyes_at_sheet on
+  std::size_t window = 0;  ///< of the first layer, of which the fault is, if it is of one
   std::string reason;      ///< the fault in words. Empty when the box is proved to be hidden
 
   [[nodiscard]] bool is_proved() const { return fault == RegionFault::none; }
@@ -89,8 +97,10 @@ struct RegionVerdict {
 /// between its ends. All of this must hold:
 /// - The eyes are strictly before the focus plane and, along its normal, strictly before the box. The focus plane may lie
 ///   before, across or behind the box: a line of sight is extended beyond the box as far as that plane.
-/// - The windows cover where the lines of sight to the box cross the focus plane: the bounding rectangle in its axes.
-/// - For each window, on all lines from an eye through it, as far as the depth of the nearest corner of the box: no point of
+/// - The windows cover where the lines of sight to the box cross the focus plane: the bounding rectangle in its axes. The
+///   windows of another layer do so for the lines of sight to the window that it belongs to.
+/// - For each window with a sheet, on all lines from an eye through it, as far as the depth of the nearest corner of the
+/// box: no point of
 ///   the sheet's border; the sheet meets neither an eye nor that depth; and one line meets it an odd number of times. Then
 ///   all do, because that number changes by one only where a line passes the border, an eye or that depth.
 /// Touching is meeting. Exact for boxes of eyes. A ball that is apart from the sheet by no more than rounding may be taken
