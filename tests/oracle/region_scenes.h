@@ -8,7 +8,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "occlude/fuzz/random.h"
@@ -16,24 +18,34 @@
 
 namespace occlude::oracle {
 
+/// A layer of a scene. Each rectangle has the number of a sheet.
+struct SceneLayer {
+  Focus focus;
+  std::vector<std::array<double, 4>> rectangles;
+  std::vector<std::size_t> sheet_of;
+};
+
 struct RegionScene {
   EyeRegion eyes;
   Aabb box;
-  Focus focus;
   std::optional<HalfSpaceCoefficients> drawn;
   std::vector<std::vector<Loop>> sheets;
-  std::vector<std::array<double, 4>> rectangles;
-  std::vector<std::size_t> sheet_of;  ///< for each rectangle
+  std::vector<SceneLayer> layers;  ///< each after the first is behind the first window of the one before
 
   [[nodiscard]] RegionWitness witness() const {
     std::vector<Sheet> prepared;
     for (const std::vector<Loop>& polygons : sheets) prepared.emplace_back(polygons, drawn);
-    RegionWitness result{eyes, box, {focus, {}}};
-    for (std::size_t i = 0; i < rectangles.size(); ++i) {
-      const auto& [x0, y0, x1, y1] = rectangles[i];
-      result.layer.windows.push_back({x0, y0, x1, y1, prepared[sheet_of[i]]});
+    Layer layer;
+    for (std::size_t k = layers.size(); k-- > 0;) {
+      Layer next{layers[k].focus, {}};
+      for (std::size_t i = 0; i < layers[k].rectangles.size(); ++i) {
+        const auto& [x0, y0, x1, y1] = layers[k].rectangles[i];
+        next.windows.push_back({x0, y0, x1, y1, prepared[layers[k].sheet_of[i]]});
+      }
+      if (k + 1 < layers.size()) next.windows[0].to = layer;
+      layer = std::move(next);
     }
-    return result;
+    return {eyes, box, layer};
   }
 };
 
@@ -57,11 +69,18 @@ class RegionScenes {
     scene.eyes = eyes();
     const double x = at(4, 9), y = at(-1, 1), z = at(-1, 1);
     scene.box = {{x, y, z}, {x + at(0, 1), y + at(0, 0.75), z + at(0, 0.75)}};
-    scene.focus = {{at(1.5, 10), at(-1, 1), at(-1, 1)}, {1, tilt(), tilt()}, {tilt(), -1, tilt()}};
     if (random_.chance(0.4)) scene.drawn = HalfSpaceCoefficients{1, 0, 0, random_.chance(0.8) ? -1.5 : -at(1.5, 4)};
     const std::size_t sheets = 1 + random_.index(2);
     for (std::size_t i = 0; i < sheets; ++i) scene.sheets.push_back(sheet(y, z));
-    add_windows(scene);
+    add_layer(scene, [&] { return point(scene.box); });
+    if (random_.chance(0.25)) {
+      const auto [x0, y0, x1, y1] = scene.layers[0].rectangles[0];
+      add_layer(scene, [&] {
+        const auto& [point, normal, right] = scene.layers[0].focus;
+        const Point at_side = plus(point, random_.chance(0.5) ? x0 : x1, right);
+        return plus(at_side, random_.chance(0.5) ? y0 : y1, cross(right, normal));
+      });
+    }
     return scene;
   }
 
@@ -136,13 +155,14 @@ class RegionScenes {
     return polygons;
   }
 
-  void add_windows(RegionScene& scene) {
-    const Point &n = scene.focus.normal, &right = scene.focus.right, up = cross(right, n), forward = cross(up, right);
+  /// Adds a layer through whose windows all eyes see what `seen` gives points of, unless something is wrong.
+  void add_layer(RegionScene& scene, const std::function<Point()>& seen) {
+    SceneLayer layer{{{at(1.5, 10), at(-1, 1), at(-1, 1)}, {1, tilt(), tilt()}, {tilt(), -1, tilt()}}, {}, {}};
+    const Point &n = layer.focus.normal, &right = layer.focus.right, up = cross(right, n), forward = cross(up, right);
     std::array<double, 2> low{1e9, 1e9}, high{-1e9, -1e9};
     for (int i = 0; i < 256; ++i) {
-      const Point e = eye(scene.eyes), b = point(scene.box);
-      const Point to = plus(b, -1, e), from = plus(scene.focus.point, -1, e);
-      const Point p = plus(plus(e, dot(forward, from) / dot(forward, to), to), -1, scene.focus.point);
+      const Point e = eye(scene.eyes), to = plus(seen(), -1, e), from = plus(layer.focus.point, -1, e);
+      const Point p = plus(plus(e, dot(forward, from) / dot(forward, to), to), -1, layer.focus.point);
       // p = x right + y up, and up is at right angles to right
       const std::array<double, 2> axes{dot(p, right) / dot(right, right), dot(p, up) / dot(up, up)};
       for (std::size_t k = 0; k < 2; ++k) {
@@ -158,10 +178,11 @@ class RegionScenes {
     };
     for (int i = 0; i < columns; ++i) {
       for (int j = 0; j < rows; ++j) {
-        scene.rectangles.push_back({side(0, i, columns), side(1, j, rows), side(0, i + 1, columns), side(1, j + 1, rows)});
-        scene.sheet_of.push_back(random_.index(scene.sheets.size()));
+        layer.rectangles.push_back({side(0, i, columns), side(1, j, rows), side(0, i + 1, columns), side(1, j + 1, rows)});
+        layer.sheet_of.push_back(random_.index(scene.sheets.size()));
       }
     }
+    scene.layers.push_back(std::move(layer));
   }
 
   fuzz::Random random_;

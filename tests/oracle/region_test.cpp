@@ -405,7 +405,6 @@ RegionScene copy(const RegionScene& scene, const Copy& how) {
   }
   const Point a = how.point(scene.box.min), b = how.point(scene.box.max);
   for (std::size_t k = 0; k < 3; ++k) result.box.min[k] = std::min(a[k], b[k]), result.box.max[k] = std::max(a[k], b[k]);
-  result.focus = {how.point(scene.focus.point), how.vector(scene.focus.normal), how.vector(scene.focus.right)};
   if (scene.drawn) {
     const auto& [x, y, z, offset] = *scene.drawn;
     const Point normal = plus({}, 1 / how.scale, how.vector({x, y, z}));
@@ -416,10 +415,14 @@ RegionScene copy(const RegionScene& scene, const Copy& how) {
       for (Point& corner : loop) corner = how.point(corner);
     }
   }
-  // The second axis is a product of two vectors.
-  for (auto& [x0, y0, x1, y1] : result.rectangles) {
-    if (how.turns_over()) y0 = -std::exchange(y1, -y0);
-    for (double* y : {&y0, &y1}) *y /= how.scale;
+  for (SceneLayer& layer : result.layers) {
+    auto& [point, normal, right] = layer.focus;
+    layer.focus = {how.point(point), how.vector(normal), how.vector(right)};
+    // The second axis is a product of two vectors.
+    for (auto& [x0, y0, x1, y1] : layer.rectangles) {
+      if (how.turns_over()) y0 = -std::exchange(y1, -y0);
+      for (double* y : {&y0, &y1}) *y /= how.scale;
+    }
   }
   return result;
 }
