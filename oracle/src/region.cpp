@@ -376,9 +376,10 @@ class Judge {
     const CGAL::Sign sign = turns[0];
     const N distance = to[0] * CGAL::cross_product(to[1], to[2]);  // of that plane, as a multiple of `speed`
     if (certain_sign(distance) != sign) return false;
+    // What is on the plane of `drawn` is a triangle in that plane. Anything else would be border.
     for (const Cut cut : {Cut::drawn, Cut::nearer}) {
       const HalfSpace<N> h = half_space<N>(cut);
-      if (certain_sign(N(h.height(eye) * speed + distance * (h.normal * along))) != sign) return false;
+      if (certain_sign(N(h.height(eye) * speed + distance * (h.normal * along))) == -sign) return false;
     }
     return true;
   }

@@ -15,6 +15,7 @@
 #include "occlude/fuzz/random.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/oracle/second.h"
+#include "oracle/cuboid.h"
 #include "oracle/region_scenes.h"
 #include "oracle/vocabulary.h"
 
@@ -248,6 +249,22 @@ TEST(Region, WhatTheNearPlaneLeavesHasABorder) {
   EXPECT_EQ(from(2), "");
   EXPECT_EQ(from(2.5), "");
   EXPECT_EQ(from(3), in_window(0, kBefore));
+}
+
+/// A closed box of which one face is in the near plane: lines meet it twice or not at all.
+TEST(Region, AFaceInTheNearPlane) {
+  const Polytope solid = cuboid({2, -0.75, -0.75}, {3, 0.75, 0.75});
+  Polygons faces;
+  for (const auto& face : solid.faces) {
+    Loop& loop = faces.emplace_back();
+    for (const std::uint32_t i : face) loop.push_back(solid.vertices[i]);
+  }
+  const auto of = [&](const Polygons& polygons, double x) {
+    return verdict(square_and_cube(4, {window(1, Sheet(polygons, HalfSpaceCoefficients{1, 0, 0, -x}))}));
+  };
+  for (const double x : {1., 2.}) EXPECT_EQ(of(faces, x), in_window(0, kEven)) << x;
+  EXPECT_EQ(of(faces, above(2)), in_window(0, kBefore));
+  EXPECT_EQ(of({wall(2, 9)}, 2), "");
 }
 
 TEST(Region, EyesMustBeBeforeEverything) {
