@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A corner b of the box is in the shadow from every eye when all eyes are in the shadow from b. This shadow is convex, so it
-// is a question about planes: those through b and two vertices with all others on one side, and those of the faces turned to
-// b. The points with this property are convex, too, so corners are enough.
+// is a question about planes: those through b and an edge of a polygon, or two vertices of a polytope with all others on one
+// side, and those of the faces turned to b. The points with this property are convex, too, so corners are enough.
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -33,7 +33,11 @@ std::vector<LoopPlane> planes_of(const Occluder& occluder) {
 class Umbra {
  public:
   Umbra(const EyeRegion& region, const Occluder& occluder, const Box& box)
-      : region_(region), box_(box), vertices_(vertices_of(occluder)), planes_(planes_of(occluder)) {}
+      : region_(region),
+        box_(box),
+        vertices_(vertices_of(occluder)),
+        is_loop_(std::holds_alternative<Loop>(occluder)),
+        planes_(planes_of(occluder)) {}
 
   [[nodiscard]] bool holds(unsigned corner) const {
     bool is_before = false;
@@ -63,20 +67,26 @@ class Umbra {
   }
 
   bool are_eyes_within_sides(unsigned corner) const {
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (!decide([&]<class N>() { return are_eyes_within<N>(point<N>(corner), i, j); })) return false;
+    const std::size_t size = vertices_.size();
+    const auto are_within = [&](std::size_t i, std::size_t j) {
+      return vertices_[i] == vertices_[j] || decide([&]<class N>() { return are_eyes_within<N>(point<N>(corner), i, j); });
+    };
+    for (std::size_t i = 0; i < size; ++i) {
+      if (is_loop_ && !are_within(i, (i + 1) % size)) return false;
+      for (std::size_t j = 0; j < i && !is_loop_; ++j) {
+        if (!are_within(i, j)) return false;
       }
     }
     return true;
   }
 
   /// Whether the eyes are on the side of the plane through b and two vertices on which all others are, if they are on one.
+  /// Those of a loop are on one side of each of its edges.
   template <class N>
   bool are_eyes_within(const Vector<N>& b, std::size_t i, std::size_t j) const {
     const HalfSpace<N> plane{CGAL::cross_product(vector_of<N>(vertices_[i]) - b, vector_of<N>(vertices_[j]) - b), b};
     CGAL::Sign inner = CGAL::ZERO;
-    for (std::size_t k = 0; k < vertices_.size(); ++k) {
+    for (std::size_t k = 0; k < vertices_.size() && !(is_loop_ && inner != CGAL::ZERO); ++k) {
       if (k == i || k == j) continue;
       const CGAL::Sign side = certain_sign(plane.height(vertices_[k]));
       if (side != CGAL::ZERO && side == -inner) return true;
@@ -88,6 +98,7 @@ class Umbra {
   const EyeRegion& region_;
   const Box& box_;
   const std::vector<Point>& vertices_;
+  bool is_loop_;
   std::vector<LoopPlane> planes_;
 };
 
