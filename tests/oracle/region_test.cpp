@@ -137,6 +137,11 @@ TEST(Region, ALayerBehindAnother) {
   EXPECT_EQ(verdict(witness), "");
   witness.layer.windows[0].to = Layer{focus(5), {window(1.5, Sheet({wall(7, 9)}))}};
   EXPECT_EQ(verdict(witness), in_window(0, in_window(0, kEven))) << "behind the box";
+  // Along (1, 1, 0) an eye is at 1, and the window from y = -4 on begins at 0.
+  witness.layer.windows[0] = window(-4, 1, -1, 1, Sheet({wall(4, 9)}));
+  EXPECT_EQ(verdict(witness), "");
+  witness.layer.windows[0].to = Layer{{{3, 0, 0}, {1, 1, 0}, {1, -1, 0}}, {window(9, Sheet({wall(3, 20)}))}};
+  EXPECT_EQ(verdict(witness), in_window(0, "the eyes reach the depth of the box"));
 }
 
 /// The eye and the box are points, so one line is all.

@@ -74,10 +74,10 @@ struct RegionWitness {
 /// What a witness fails to show. They are asked in this order, those of a window for one window after another.
 enum class RegionFault {
   none,
-  refused,        ///< its numbers are bad
+  refused,        ///< its numbers are bad, or it takes more than about half a minute
   eyes_at_focus,  ///< not all eyes are strictly before the focus plane
-  eyes_at_box,    ///< not all eyes are strictly before all of the box, along the normal of the focus plane
-  uncovered,      ///< some line of sight to the box may cross the focus plane outside of all windows
+  eyes_at_box,    ///< the same of the box, or of the window to which the layer belongs, along the normal of that plane
+  uncovered,      ///< some line of sight may cross the focus plane outside of all windows
   eyes_at_sheet,  ///< the sheet meets the eyes
   border_before,  ///< the border of the sheet meets a line through the window, not beyond the focus plane
   border_beyond,  ///< the same, not before the focus plane
