@@ -54,7 +54,7 @@ constexpr std::size_t kMostWork = std::size_t{1} << 28U, kWorkOfSeparation = std
 /// A normal n, and a number that n . x does not exceed at any point x of a part.
 struct Bound {
   Point normal;
-  Interval most;
+  double most;
 };
 
 template <class N>
@@ -246,7 +246,7 @@ class Judge {
   bool meets(const Obstacle& obstacle, Part part) {
     const auto is_beyond = [&](const Bound& bound) {
       return std::ranges::all_of(obstacle.corners, [&](const Point& q) {
-        return CGAL::certainly(vector_of<Interval>(bound.normal) * vector_of<Interval>(q) > bound.most);
+        return Interval(vector_of<Interval>(bound.normal) * vector_of<Interval>(q)).inf() > bound.most;
       });
     };
     work_ += obstacle.corners.size() * (bounds(part).size() + 1);
@@ -297,7 +297,7 @@ class Judge {
   }
 
   /// A bound on normal . x at the points x of the part. Infinite where there may be none.
-  Interval most(const Point& normal, Part part) {
+  double most(const Point& normal, Part part) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const Vector<Interval> n = vector_of<Interval>(normal);
     double of_window = -kInfinity, of_eyes = -kInfinity, least_of_eyes = kInfinity;

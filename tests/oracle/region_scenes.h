@@ -74,11 +74,11 @@ class RegionScenes {
     for (std::size_t i = 0; i < sheets; ++i) scene.sheets.push_back(sheet(y, z));
     add_layer(scene, [&] { return point(scene.box); });
     if (random_.chance(0.25)) {
-      const auto [x0, y0, x1, y1] = scene.layers[0].rectangles[0];
+      const std::array<double, 4> sides = scene.layers[0].rectangles[0];
       add_layer(scene, [&] {
         const auto& [point, normal, right] = scene.layers[0].focus;
-        const Point at_side = plus(point, random_.chance(0.5) ? x0 : x1, right);
-        return plus(at_side, random_.chance(0.5) ? y0 : y1, cross(right, normal));
+        const Point at_side = plus(point, sides[random_.chance(0.5) ? 0 : 2], right);
+        return plus(at_side, sides[random_.chance(0.5) ? 1 : 3], cross(right, normal));
       });
     }
     return scene;

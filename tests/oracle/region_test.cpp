@@ -42,7 +42,7 @@ Window window(double half, const Sheet& sheet) { return window(-half, half, -hal
 /// The eyes are a square around the origin, |y|, |z| <= 1, the box is 6 <= x <= 8, |y|, |z| <= 1. On a focus plane at x = 4
 /// this is seen through the square |y|, |z| <= 1; there, and at every smaller x, lines through that square fill it.
 RegionWitness square_and_cube(double focus_at, const std::vector<Window>& windows) {
-  return {Obb{{0, 0, 0}, {{{0, 1, 0}, {0, 0, 1}, {0, 0, 0}}}}, Aabb{{6, -1, -1}, {8, 1, 1}}, focus(focus_at), windows};
+  return {Obb{{0, 0, 0}, {{{0, 1, 0}, {0, 0, 1}, {0, 0, 0}}}}, Aabb{{6, -1, -1}, {8, 1, 1}}, {focus(focus_at), windows}};
 }
 
 std::string verdict(const RegionWitness& witness) { return judge(witness).reason; }
@@ -150,11 +150,11 @@ TEST(Region, PointsAreRegions) {
   const Sheet sheet({wall(4, 2)});
   const auto of = [&](double y, double half) {
     const Aabb box{{8, y, 0}, {8, y, 0}};
-    return verdict({eye, box, focus(4), {window(half, sheet)}});
+    return verdict({eye, box, {focus(4), {window(half, sheet)}}});
   };
   EXPECT_EQ(of(2, 1), "");
   EXPECT_EQ(of(above(2), 1), kUncovered);
-  EXPECT_EQ(verdict({Ball{}, Aabb{{8, 0, 0}, {8, 0, 0}}, focus(4), {window(1, sheet)}}), "");
+  EXPECT_EQ(verdict({Ball{}, Aabb{{8, 0, 0}, {8, 0, 0}}, {focus(4), {window(1, sheet)}}}), "");
 }
 
 /// Both ends of an edge are outside of what eyes see through |y| <= 1/2: at x = 1 that is |y| <= 7/8, at x = 3 it is 5/8.
@@ -163,8 +163,7 @@ TEST(Region, AnEdgeBetweenEndsThatAreAside) {
     const Loop triangle{{1, y0, 0}, {3, y1, 0}, {2, 9, 9}};
     return verdict({Obb{{0, 0, 0}, {{{0, 1, 0}, {0, 0, 1}, {0, 0, 0}}}},
                     Aabb{{8, 0, 0}, {8, 0, 0}},
-                    focus(4),
-                    {window(-0.5, 0.5, -0.5, 0.5, Sheet({triangle, wall(2, 9)}))}});
+                    {focus(4), {window(-0.5, 0.5, -0.5, 0.5, Sheet({triangle, wall(2, 9)}))}}});
   };
   EXPECT_EQ(of(1, -1), in_window(0, kBefore));
   EXPECT_EQ(of(1, 1), "");
@@ -177,7 +176,7 @@ TEST(Region, AnEdgeAcrossTheWayOfTheEyes) {
   const auto of = [](double z, double z0, double z1) {
     const Obb eyes{{0, 0, 0}, {{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
     return verdict(
-        {eyes, Aabb{{12, 0, z}, {12, 0, z}}, focus(10), {window(-0.1, 0.1, z0, z1, Sheet({wall(2, -1, 1, 0.1, 5)}))}});
+        {eyes, Aabb{{12, 0, z}, {12, 0, z}}, {focus(10), {window(-0.1, 0.1, z0, z1, Sheet({wall(2, -1, 1, 0.1, 5)}))}}});
   };
   EXPECT_EQ(of(0.78, 0.6, 0.7), in_window(0, kBefore)) << "between the images from both ends";
   EXPECT_EQ(of(0.3, 0.2, 0.3), in_window(0, kEven));
@@ -191,7 +190,7 @@ TEST(Region, AnEdgeWithOneEndNearer) {
   const auto of = [](double z, double z0, double z1) {
     const Obb eyes{{0, 0, 0}, {{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
     const Loop slanting{{1.5, -1, 0.1}, {3, 1, 0.1}, {3, 1, 5}, {1.5, -1, 5}};
-    return verdict({eyes, Aabb{{12, 0, z}, {12, 0, z}}, focus(10), {window(-0.01, 0.01, z0, z1, Sheet({slanting}))}});
+    return verdict({eyes, Aabb{{12, 0, z}, {12, 0, z}}, {focus(10), {window(-0.01, 0.01, z0, z1, Sheet({slanting}))}}});
   };
   EXPECT_EQ(of(0.75, 0.6, 0.7), in_window(0, kBefore));
   EXPECT_EQ(of(0.75, 0.6, 0.75), in_window(0, kBefore));
@@ -292,7 +291,7 @@ TEST(Region, EyesMustBeBeforeEverything) {
 TEST(Region, ABallAndItsTangents) {
   const auto of = [](double right_end, const Loop& polygon) {
     return verdict(
-        {Ball{{0, 0, 0}, 1}, Aabb{{7, -4, 0}, {7, -4, 0}}, focus(3), {window(-4, right_end, -1, 1, Sheet({polygon}))}});
+        {Ball{{0, 0, 0}, 1}, Aabb{{7, -4, 0}, {7, -4, 0}}, {focus(3), {window(-4, right_end, -1, 1, Sheet({polygon}))}}});
   };
   EXPECT_EQ(of(-1, wall(2, 9)), "");
   EXPECT_EQ(of(below(-1), wall(2, 9)), kUncovered);
@@ -308,8 +307,7 @@ TEST(Region, ABallBeyondTheFocusPlane) {
   const auto of = [](double end) {
     return verdict({Ball{{0, 0, 0}, 0.6},
                     Aabb{{8, 0, 0}, {8, 0, 0}},
-                    focus(3),
-                    {window(-3, 3, -3, 3, Sheet({wall(6, -9, end, -9, 9)}))}});
+                    {focus(3), {window(-3, 3, -3, 3, Sheet({wall(6, -9, end, -9, 9)}))}}});
   };
   ASSERT_LT(0.6, 0.6L + 1e-17L);
   EXPECT_EQ(of(7 + 1e-9), "");
@@ -323,7 +321,7 @@ TEST(Region, WhatIsAboveTheMiddleOfABallIsNotAboveTheBall) {
   const auto of = [&](double y) {
     const Loop near{{1.25, y, -1}, {1.25, y, 1}, {1.25, 5, 0}};
     return verdict(
-        {Ball{{0, 0, 0}, 1}, Aabb{{5, 0, 0}, {5, 0, 0}}, focus(3), {window(0.5, Sheet({far, near, wall(4, 9)}))}});
+        {Ball{{0, 0, 0}, 1}, Aabb{{5, 0, 0}, {5, 0, 0}}, {focus(3), {window(0.5, Sheet({far, near, wall(4, 9)}))}}});
   };
   EXPECT_EQ(of(0.75), in_window(0, kBefore));
   EXPECT_EQ(of(1), "");
@@ -334,10 +332,11 @@ TEST(Region, WhatIsAboveTheMiddleOfABallIsNotAboveTheBall) {
 TEST(Region, WhatIsAboveOneWindowIsNotAboveTheNext) {
   const auto polygons = [](double y) { return Polygons{wall(3, 9), {{6, y, -1}, {6, y, 1}, {6, 9, 0}}}; };
   const auto of = [&](double y) {
-    return verdict({Obb{{0, 0, 0}, {{{0, 0.5, 0}, {0, 0, 0}, {0, 0, 0}}}},
-                    Aabb{{8, 1, 0}, {8, 1, 0}},
-                    focus(2),
-                    {window(-0.25, 1, -0.125, 0.125, Sheet(polygons(6))), window(1, 2, -0.125, 0.125, Sheet(polygons(y)))}});
+    return verdict(
+        {Obb{{0, 0, 0}, {{{0, 0.5, 0}, {0, 0, 0}, {0, 0, 0}}}},
+         Aabb{{8, 1, 0}, {8, 1, 0}},
+         {focus(2),
+          {window(-0.25, 1, -0.125, 0.125, Sheet(polygons(6))), window(1, 2, -0.125, 0.125, Sheet(polygons(y)))}}});
   };
   EXPECT_EQ(of(6.75), in_window(1, kBeyond));
   EXPECT_EQ(of(7), in_window(1, kBeyond));
