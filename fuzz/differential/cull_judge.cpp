@@ -180,9 +180,9 @@ class CullJudge {
     std::visit([](auto& camera) { camera.eyes = {}; }, of_one_eye);
     const oracle::HalfSpaceCoefficients drawn = proof::drawn(of_one_eye, model_, eyes);
     const auto& [at, normal, right] = witness.focus;
-    oracle::RegionWitness asked{eyes, to_oracle(witness.box), {point(at), point(normal), point(right)}, {}};
+    oracle::RegionWitness asked{eyes, to_oracle(witness.box), {{point(at), point(normal), point(right)}, {}}};
     for (const culler::CoverWindow& w : witness.windows) {
-      asked.windows.push_back({w.x0, w.y0, w.x1, w.y1, oracle::Sheet(loops(w.polygons), drawn)});
+      asked.layer.windows.push_back({w.x0, w.y0, w.x1, w.y1, oracle::Sheet(loops(w.polygons), drawn)});
     }
     return oracle::judge(asked).reason;
   }
