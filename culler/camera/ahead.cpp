@@ -54,6 +54,8 @@ Picture turned(const Picture& picture, double turn) {
   return {widened(picture.width), widened(picture.height), kFartherNear * farther * picture.near, farther * picture.far};
 }
 
+glm::dvec3 flushed(const glm::dvec3& v) { return {kernel::flushed(v.x), kernel::flushed(v.y), kernel::flushed(v.z)}; }
+
 /// Half-edges around the way. They are perpendicular, one of them along it, or along the line of sight if there is no way.
 /// There is room for how far the eyes of such cameras are rounded.
 EyeRegion around(const glm::dvec3& way, const EyeRegion& eyes, const FrameView& view, const Camera::Axes& axes,
@@ -65,7 +67,7 @@ EyeRegion around(const glm::dvec3& way, const EyeRegion& eyes, const FrameView& 
   const glm::dvec3 up = glm::cross(side, along);
   const double rounded = 0x1p-44 * (glm::length(view.eye) + length) + 8 * view.eye_uncertainty;
   const auto half_edge = [&](const glm::dvec3& axis, double half) {
-    return kWider * (half + eyes.reach(axis) + rounded) * axis;
+    return flushed(kWider * (half + eyes.reach(axis) + rounded) * axis);
   };
   return EyeRegion::box(half_edge(along, std::max(length / 2, options.aside)), half_edge(side, options.aside),
                         half_edge(up, options.up));
@@ -88,8 +90,8 @@ void widen(Camera& camera, const Picture& picture, double turn_degrees) {
 void move_ahead(Camera& camera, const glm::dvec3& way, const EyeRegion& eyes) {
   camera.eyes = eyes;
   const glm::dvec3 sight = camera.target - camera.eye;
-  camera.eye += way / 2.0;
-  camera.target = camera.eye + sight;
+  camera.eye = flushed(camera.eye + way / 2.0);
+  camera.target = flushed(camera.eye + sight);
 }
 
 }  // namespace

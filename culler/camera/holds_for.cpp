@@ -24,14 +24,14 @@ static_assert(kNeeded * kDepthMargin > 1.125 * kSinglePrecision);
 class Question {
  public:
   template <class AnyCamera>
-  Question(const FrameView& frame, const AnyCamera& camera)
+  Question(const FrameView& frame, const AnyCamera& camera, double eye_error)
       : frame_(frame),
         frame_eyes_(std::visit([](const auto& c) { return c.eyes; }, frame.any_camera)),
         eyes_(camera.eyes),
         view_(of_one_eye(camera), kNeeded * frame.depth),
         extent_(camera, view_),
         from_eye_(view_.eye - frame.eye),
-        eye_error_(frame.eye_uncertainty + view_.eye_uncertainty) {}
+        eye_error_(frame.eye_uncertainty + view_.eye_uncertainty + eye_error) {}
 
   [[nodiscard]] bool holds() const {
     if (!is_same_projection() || !are_eyes_within()) return false;
@@ -110,17 +110,19 @@ class Question {
 };
 
 template <class AnyCamera>
-bool holds_for_any(const FrameView& frame, const AnyCamera& camera) {
+bool holds_for_any(const FrameView& frame, const AnyCamera& camera, double eye_error) {
   require_sound(camera);
   const AnyCamera* const same = std::get_if<AnyCamera>(&frame.any_camera);
-  if (same != nullptr && *same == camera) return true;
-  const Question question(frame, camera);
+  if (same != nullptr && *same == camera && eye_error == 0) return true;
+  const Question question(frame, camera, eye_error);
   return question.holds();
 }
 
 }  // namespace
 
-bool holds_for(const FrameView& frame, const Camera& camera) { return holds_for_any(frame, camera); }
-bool holds_for(const FrameView& frame, const MatrixCamera& camera) { return holds_for_any(frame, camera); }
+bool holds_for(const FrameView& frame, const Camera& camera, double eye_error) {
+  return holds_for_any(frame, camera, eye_error);
+}
+bool holds_for(const FrameView& frame, const MatrixCamera& camera) { return holds_for_any(frame, camera, 0); }
 
 }  // namespace occlude::culler

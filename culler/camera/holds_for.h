@@ -7,8 +7,8 @@
 
 namespace occlude::culler {
 
-/// As View::holds_for(), for a frame of this view. Throws as require_sound().
-[[nodiscard]] bool holds_for(const FrameView& frame, const Camera& camera);
+/// As View::holds_for(), for a frame of this view. Throws as require_sound(). The eye may be off by as much as `eye_error`.
+[[nodiscard]] bool holds_for(const FrameView& frame, const Camera& camera, double eye_error = 0);
 [[nodiscard]] bool holds_for(const FrameView& frame, const MatrixCamera& camera);
 
 }  // namespace occlude::culler

@@ -151,6 +151,12 @@ TEST(Ahead, Refuses) {
   EXPECT_NE(refusal([&] { static_cast<void>(ahead(matrix_of(parallel), {1, 0, 0}, 1)); }), "");
 }
 
+/// Numbers that are out of the kernel's range count as 0.
+TEST(Ahead, HalfEdgesThatAreNearlyNothing) {
+  const Camera camera{.eye = {0, 0, 1e-20}, .target = {1, 1e-13, 1e-20}, .near_plane = 0.1};
+  EXPECT_EQ(fault(ahead(camera, {1e-20, 1e-40, 0}, 1, {.aside = 1e-20, .up = 0})), "");
+}
+
 /// Along an axis, where sums do not turn the line of sight.
 TEST(Ahead, ParallelRays) {
   Camera camera{.eye = {0, 0, 2}, .target = {1, 0, 2}, .projection = Projection::orthographic};

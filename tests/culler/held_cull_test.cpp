@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+// Culls that hold for the frames between them.
+#include "occlude/culler/held_cull.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <deque>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "frames.h"
+#include "held/background.h"
+#include "held/held_region.h"
+#include "held/lease.h"
+#include "held/motion.h"
+#include "scenes.h"
+#include "seen_by_rays.h"
+
+namespace held_cull_test {
+
+using namespace occlude::culler;
+using glm::dvec3;
+
+/// OCCLUDE_HELD_FRAMES, or as many as the suite has time for.
+unsigned frames_wanted() {
+  const char* const requested = std::getenv("OCCLUDE_HELD_FRAMES");
+#ifdef OCCLUDE_SANITIZED
+  constexpr unsigned kUsual = 300;
+#else
+  constexpr unsigned kUsual = 3000;
+#endif
+  return requested != nullptr ? static_cast<unsigned>(std::strtoul(requested, nullptr, 10)) : kUsual;
+}
+
+std::uint32_t seed_of(std::uint32_t usual) {
+  const char* const requested = std::getenv("OCCLUDE_SEED");
+  return requested != nullptr ? static_cast<std::uint32_t>(std::strtoul(requested, nullptr, 10)) : usual;
+}
+
+/// Tasks that run when some time has gone.
+class Delays {
+ public:
+  [[nodiscard]] Later later(std::function<double()> seconds) {
+    return [this, seconds = std::move(seconds)](std::function<void()> task) {
+      tasks_.emplace_back(now_ + seconds(), std::move(task));
+    };
+  }
+  void pass_until(double now) {
+    now_ = now;
+    for (std::size_t i = 0; i < tasks_.size();) {
+      if (tasks_[i].first > now) {
+        ++i;
+        continue;
+      }
+      const std::function<void()> task = std::move(tasks_[i].second);
+      tasks_.erase(tasks_.begin() + static_cast<std::ptrdiff_t>(i));
+      task();
+    }
+  }
+  [[nodiscard]] std::size_t waiting() const { return tasks_.size(); }
+
+ private:
+  double now_ = 0;
+  std::deque<std::pair<double, std::function<void()>>> tasks_;
+};
+
+/// Somebody who walks, drives, stands, turns and is put elsewhere.
+class Wanderer {
+ public:
+  explicit Wanderer(std::mt19937& random) : random_(random) { jump(); }
+
+  Camera after(double seconds) {
+    if (random_() % 60 == 0) {
+      speed_ = std::array{0.0, 1.5, 1.5, 1.5, 15.0}[random_() % 5];
+      turning_ = std::array{0.0, 0.0, 20.0, -30.0, 180.0}[random_() % 5];
+    }
+    if (random_() % 300 == 0) jump();
+    angle_ += glm::radians(turning_) * seconds;
+    const dvec3 forward{std::cos(angle_), std::sin(angle_), 0.1 * std::sin(3 * angle_)};
+    camera_.eye += speed_ * seconds * dvec3(forward.x, forward.y, 0);
+    if (std::max(std::fabs(camera_.eye.x), std::fabs(camera_.eye.y)) > 55) jump();
+    camera_.target = camera_.eye + forward;
+    return camera_;
+  }
+
+ private:
+  void jump() {
+    camera_.eye = {uniform(random_, -45, 45), uniform(random_, -45, 45), uniform(random_, 1, 2)};
+    angle_ = uniform(random_, 0, 6.3);
+  }
+
+  std::mt19937& random_;
+  Camera camera_{.fov_y_deg = 60, .near_plane = 0.05};
+  double angle_ = 0, speed_ = 1.5, turning_ = 0;
+};
+
+std::vector<bool> drawn_polygons(const Culler& culler, const HeldResult& result) {
+  CullResult frame;
+  frame.drawn = result.drawn;
+  return drawn_polygons(culler, frame);
+}
+
+constexpr CoverOptions kCover{.width = 256, .height = 144};
+
+/// Answers come after up to half a second, or never in time.
+TEST(HeldCull, NothingThatIsSeenIsEverLeftOut) {
+  std::mt19937 random(seed_of(5621));
+  const Culler culler(random_town_of_houses(56, 1500), {.hierarchy = {.leaf_size = 4}});
+  Delays delays;
+  HeldOptions options;
+  options.cull.cover = kCover;
+  options.later = delays.later([&] { return uniform(random, 0, 0.5); });
+  HeldCull held(culler, options);
+  Wanderer wanderer(random);
+  unsigned rays = 0;
+  const unsigned frames = frames_wanted();
+  for (unsigned frame = 0; frame < frames; ++frame) {
+    const double now = frame / 60.0;
+    delays.pass_until(now);
+    const Camera camera = wanderer.after(1 / 60.0);
+    const HeldResult& result = frame % 7 == 3 ? held.cull(matrix_of(camera), now) : held.cull(camera, now);
+    rays += expect_hidden(culler, drawn_polygons(culler, result), camera, random, 20);
+    if (HasFailure()) FAIL() << "frame " << frame;
+  }
+  const HeldStats& stats = held.stats();
+  EXPECT_EQ(stats.frames, frames);
+  EXPECT_GT(rays, frames);
+  EXPECT_LT(stats.of_point, frames - frames / 10);
+  EXPECT_GT(stats.regions, frames / 200);
+  EXPECT_GT(stats.around, 0U);
+  EXPECT_GT(stats.late, 0U);
+  if (std::getenv("OCCLUDE_HELD_FRAMES") != nullptr) {
+    std::cout << stats.of_point << " frames by point, " << stats.regions << " regions, " << stats.around << " around, "
+              << stats.late << " late, " << rays << " rays\n";
+  }
+}
+
+/// How many frames of a walk are by point.
+HeldStats walk(const Culler& culler, HeldOptions options, double speed, double turning, unsigned frames) {
+  options.cull.cover = kCover;
+  HeldCull held(culler, options);
+  for (unsigned frame = 0; frame < frames; ++frame) {
+    const double now = frame / 60.0, angle = glm::radians(turning) * now;
+    Camera camera{.eye = {-40, 1, 1.7}, .near_plane = 0.05};
+    camera.eye.x += speed * now;
+    camera.target = camera.eye + dvec3(std::cos(angle), std::sin(angle), 0);
+    static_cast<void>(held.cull(camera, now));
+  }
+  return held.stats();
+}
+
+const Culler& town() {
+  static const Culler culler(random_town_of_houses(57, 3000), {.hierarchy = {.leaf_size = 4}});
+  return culler;
+}
+
+Later at_once() {
+  return [](const std::function<void()>& task) { task(); };
+}
+
+TEST(HeldCull, RegionsHoldForManyFrames) {
+  const HeldStats walking = walk(town(), {.later = at_once()}, 1.5, 0, 600);
+  EXPECT_LE(walking.of_point, 5U);
+  EXPECT_LE(walking.regions, 20U);
+  const HeldStats turning = walk(town(), {.later = at_once()}, 0, 180, 600);
+  EXPECT_LE(turning.of_point, 20U);
+  EXPECT_LE(turning.regions, 20U);
+  EXPECT_GT(turning.around, 0U);
+}
+
+TEST(HeldCull, WithoutAnotherThreadRegionsAreCulledWhenTheyAreNeeded) {
+  const HeldStats walking = walk(town(), {}, 1.5, 0, 600);
+  EXPECT_EQ(walking.of_point, 0U);
+  EXPECT_LE(walking.regions, 40U);
+}
+
+TEST(HeldCull, RepeatableResultsDependOnNoThread) {
+  const auto run = [&](Later later, HeldStats& stats) {
+    HeldOptions options{.later = std::move(later), .is_repeatable = true};
+    options.cull.cover = kCover;
+    HeldCull held(town(), options);
+    std::mt19937 random(5);
+    Wanderer wanderer(random);
+    std::vector<std::size_t> drawn;
+    for (unsigned frame = 0; frame < 400; ++frame) {
+      drawn.push_back(held.cull(wanderer.after(1 / 60.0), frame / 60.0).drawn_polygons);
+    }
+    stats = held.stats();
+    return drawn;
+  };
+  std::vector<std::thread> threads;
+  HeldStats stats, again;
+  const auto expected = run(at_once(), stats);
+  EXPECT_GT(stats.regions, 3U);
+  EXPECT_LT(stats.of_point, 200U);
+  EXPECT_EQ(run([](const std::function<void()>&) {}, again), expected) << "never run by the caller";
+  EXPECT_EQ(again.of_point, stats.of_point);
+  EXPECT_EQ(run([&](std::function<void()> task) { threads.emplace_back(std::move(task)); }, again), expected);
+  for (std::thread& thread : threads) thread.join();
+}
+
+TEST(HeldCull, ItsThreadsTouchNothingThatIsGone) {
+  std::vector<std::thread> threads;
+  std::vector<std::function<void()>> left;
+  {
+    HeldCull moved_to = [&] {
+      HeldCull held(town(), {.later = [&](std::function<void()> task) { threads.emplace_back(std::move(task)); }});
+      static_cast<void>(held.cull(Camera{.eye = {0, 0, 2}, .target = {1, 0, 2}}, 0));
+      return held;
+    }();
+    static_cast<void>(moved_to.cull(Camera{.eye = {0, 0, 2}, .target = {1, 0, 2}}, 1));
+    HeldCull waits(town(), {.later = [&](std::function<void()> task) { left.push_back(std::move(task)); }});
+    static_cast<void>(waits.cull(Camera{.eye = {0, 0, 2}, .target = {1, 0, 2}}, 0));
+  }
+  for (std::thread& thread : threads) thread.join();
+  ASSERT_EQ(left.size(), 1U);
+  left[0]();  // does nothing
+}
+
+TEST(HeldCull, WhatIsThrown) {
+  HeldCull held(town(), {.later = [](const std::function<void()>&) { throw std::runtime_error("no thread"); }});
+  EXPECT_THROW(static_cast<void>(held.cull(Camera{}, 0)), std::runtime_error);
+  EXPECT_NE(refusal([&] { static_cast<void>(held.cull(Camera{.near_plane = -1}, 1)); }), "");
+}
+
+TEST(HeldCull, ParallelRaysAreCulledByPoint) {
+  HeldCull held(town(), {.later = at_once()});
+  const Camera parallel{.eye = {0, 0, 2}, .target = {1, 0, 2}, .projection = Projection::orthographic, .height = 20};
+  for (int frame = 0; frame < 5; ++frame) {
+    EXPECT_TRUE(held.cull(parallel, frame).is_of_point);
+    EXPECT_TRUE(held.cull(matrix_of(parallel), frame).is_of_point);
+  }
+  EXPECT_EQ(held.stats().regions, 0U);
+}
+
+/// Six pictures hold for whatever direction, near planes that reach anywhere included.
+TEST(HeldRegions, AllAround) {
+  std::mt19937 random(seed_of(5622));
+  Camera camera{.eye = {0, 0, 2}, .target = {1, 0, 2}, .fov_y_deg = 70, .near_plane = 0.1};
+  const double depth = 200;
+  const Camera ahead_of = ahead(camera, {1, 0, 0}, 1);
+  const auto cameras = all_around(ahead_of, *near_around(camera, depth) * (1 + 1.0 / 64));
+  HeldRegion region;
+  View view;
+  EXPECT_FALSE(region.holds_for(camera));
+  region.cull(town(), cameras, {.method = Method::cover, .cover = kCover}, view);
+  for (int k = 0; k < 1000; ++k) {
+    camera.eye = dvec3(uniform(random, 0.001, 0.999), uniform(random, -0.09, 0.09), uniform(random, 1.96, 2.04));
+    const auto [x, y, z] = random_vector(random, -1, 1);
+    if (std::fabs(x) + std::fabs(y) < 0.1) continue;
+    camera.target = camera.eye + dvec3{x, y, z};
+    ASSERT_TRUE(region.holds_for(camera)) << k;
+    ASSERT_TRUE(region.holds_for(matrix_of(camera))) << k;
+    Camera beside = camera;
+    beside.eye.y += 0.2;
+    ASSERT_FALSE(region.holds_for(beside)) << k;
+    Camera clips = camera;
+    clips.near_plane = 0.11;
+    ASSERT_FALSE(region.holds_for(clips)) << k;
+  }
+}
+
+TEST(Motions, JumpsCountForNothing) {
+  Motion motion;
+  motion.see({0, 0, 0}, {1, 0, 0}, 0);
+  EXPECT_EQ(glm::length(motion.velocity()), 0);
+  for (int frame = 1; frame <= 3; ++frame) motion.see({0.5 * frame, 0, 0}, {1, 0, 0}, 0.5 * frame);
+  EXPECT_EQ(motion.velocity(), dvec3(1, 0, 0));
+  motion.see({100, 0, 0}, {0, 1, 0}, 2);
+  EXPECT_EQ(motion.velocity(), dvec3(1, 0, 0));
+  EXPECT_EQ(motion.turning(), 0);
+  motion.see({100.5, 0, 0}, {0, 1, 0}, 2.5);
+  EXPECT_EQ(motion.velocity(), dvec3(1, 0, 0));
+  motion.see({100.5, 0, 0}, {0, 1, 0}, 2.5);
+  EXPECT_EQ(motion.frame_seconds(), 0.5) << "no time has gone";
+}
+
+TEST(Leases, GrowShrinkAndRest) {
+  Lease lease;
+  const double usual = lease.seconds();
+  lease.hid(1, 0);
+  EXPECT_EQ(lease.seconds(), 2 * usual);
+  lease.hid(0.95, 0);
+  EXPECT_EQ(lease.seconds(), 2 * usual);
+  lease.hid(0.7, 0);
+  EXPECT_EQ(lease.seconds(), usual);
+  lease.held(0.9 * usual, usual);
+  EXPECT_EQ(lease.seconds(), usual);
+  lease.held(0.1 * usual, usual);
+  EXPECT_LT(lease.seconds(), usual);
+  for (int k = 0; k < 10 && lease.pays(0); ++k) lease.hid(0.1, 0);
+  EXPECT_FALSE(lease.pays(0.5));
+  EXPECT_TRUE(lease.pays(1));
+  lease.hid(0.1, 1);
+  EXPECT_FALSE(lease.pays(2.5)) << "it rests for longer";
+  EXPECT_TRUE(lease.pays(3));
+}
+
+}  // namespace held_cull_test
