@@ -9,6 +9,7 @@
 
 #include "cover/cover_buffer.h"
 #include "cover/cover_painter.h"
+#include "occlude/culler/cull_result.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -21,7 +22,11 @@ class DrawnGroups {
     groups_.resize(painter.groups() + std::size_t{1});
     groups_.back().source = source;
     const auto ids = memory.group.ids();
-    for (const std::uint32_t id : ids) groups_.back().polygons.push_back(painter.triangles().polygon(id));
+    const CoverTriangles& triangles = painter.triangles();
+    for (const std::uint32_t id : ids) {
+      const std::uint32_t polygon = triangles.polygon(id), first = triangles.first(polygon);
+      groups_.back().fans.push_back({{polygon, id - first + 1}, triangles.first(polygon + 1) - first});
+    }
     for (std::size_t t = 0; t < ids.size(); ++t) {
       const auto places = memory.buffer.piece().places(t);
       if (places) groups_.back().triangles.push_back({painter.triangles().polygon(ids[t]), *places});
@@ -35,7 +40,10 @@ class DrawnGroups {
     if (buffer.is_of_region()) {
       for (const CoverBuffer::Window& window : buffer.windows(buffer.hidden_at(box)).windows) {
         const std::uint32_t source = groups_[buffer.sheet(window.sheet).id].source;
-        for (const std::uint32_t polygon : polygons(buffer, window)) visit(source, polygon);
+        CoverWindow named;
+        name(buffer, window, named);
+        for (const std::uint32_t polygon : named.polygons) visit(source, polygon);
+        for (const FanTriangle& triangle : named.triangles) visit(source, triangle.polygon);
       }
       return;
     }
@@ -46,25 +54,37 @@ class DrawnGroups {
     }
   }
 
-  /// Those whose triangles the sheet of a window has, ascending.
-  [[nodiscard]] std::vector<std::uint32_t> polygons(const CoverBuffer& buffer, const CoverBuffer::Window& window) const {
-    const CoverBuffer::DrawnSheet& sheet = buffer.sheet(window.sheet);
-    std::vector<std::uint32_t> found;
-    for (const std::uint32_t t : sheet.triangles) found.push_back(groups_[sheet.id].polygons[t]);
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+  /// Sets the sheet of a window.
+  void name(const CoverBuffer& buffer, const CoverBuffer::Window& of, CoverWindow& window) const {
+    const CoverBuffer::DrawnSheet& sheet = buffer.sheet(of.sheet);
+    std::vector<Fan> fans;
+    for (const std::uint32_t t : sheet.triangles) fans.push_back(groups_[sheet.id].fans[t]);
+    std::ranges::sort(fans, {}, &Fan::triangle);
+    for (std::size_t i = 0, end = 0; i < fans.size(); i = end) {
+      const std::uint32_t polygon = fans[i].triangle.polygon;
+      while (end < fans.size() && fans[end].triangle.polygon == polygon) ++end;
+      if (end - i == fans[i].size) {
+        window.polygons.push_back(polygon);
+      } else {
+        for (std::size_t k = i; k < end; ++k) window.triangles.push_back(fans[k].triangle);
+      }
+    }
   }
 
  private:
+  /// A triangle of a mesh, and how many the fan of its polygon has.
+  struct Fan {
+    FanTriangle triangle;
+    std::uint32_t size;
+  };
   struct Triangle {
     std::uint32_t polygon;
     PixelBounds places;
   };
   struct Group {
     std::uint32_t source = 0;
-    std::vector<std::uint32_t> polygons;  ///< of each triangle of the mesh
-    std::vector<Triangle> triangles;      ///< those that are in a sheet
+    std::vector<Fan> fans;            ///< of each triangle of the mesh
+    std::vector<Triangle> triangles;  ///< those that are in a sheet
   };
 
   static bool meet(const PixelBounds& a, const PixelBounds& b) {

@@ -69,12 +69,7 @@ class CoverReplay {
                                         const CoverBuffer::Footprint& at) const {
     CoverWitness witness{range, box, {}, {}, {}};
     if (memory_.buffer.is_of_region()) {
-      const CoverBuffer::Windows found = memory_.buffer.windows(at);
-      for (const CoverBuffer::Window& window : found.windows) {
-        const std::vector<std::uint32_t> polygons = drawn_.polygons(memory_.buffer, window);
-        witness.polygons.insert(witness.polygons.end(), polygons.begin(), polygons.end());
-      }
-      add_windows(found, witness);
+      name_windows(memory_.buffer.windows(at), witness);
     } else {
       drawn_.visit_before(memory_.buffer, box, [&](std::uint32_t, std::uint32_t p) { witness.polygons.push_back(p); });
     }
@@ -83,20 +78,30 @@ class CoverReplay {
     return witness;
   }
 
-  /// None if the picture is skewed.
-  void add_windows(const CoverBuffer::Windows& found, CoverWitness& witness) const {
+  /// No windows are named if the picture is skewed, only what hides.
+  void name_windows(const CoverBuffer::Windows& found, CoverWitness& witness) const {
+    for (const CoverBuffer::Window& window : found.windows) {
+      CoverWindow& named = witness.windows.emplace_back();
+      drawn_.name(memory_.buffer, window, named);
+      witness.polygons.insert(witness.polygons.end(), named.polygons.begin(), named.polygons.end());
+      for (const FanTriangle& triangle : named.triangles) witness.polygons.push_back(triangle.polygon);
+    }
     const ConservativeViewport& picture = memory_.buffer.picture();
     // A point is the sum of these, times its distance along the line of sight and, but for the last, its slopes.
     const glm::dvec3 right = dual(picture.right(), picture.up(), picture.forward()),
                      up = dual(picture.up(), picture.forward(), picture.right()),
                      forward = dual(picture.forward(), picture.right(), picture.up());
-    if (std::fabs(glm::dot(right, up)) > kSkew * glm::length(right) * glm::length(up)) return;
+    if (std::fabs(glm::dot(right, up)) > kSkew * glm::length(right) * glm::length(up)) return witness.windows.clear();
     const double distance = 1 / found.focus, x = distance * glm::length(right), y = distance * glm::length(up);
     witness.focus = {picture.eye() + distance * forward, glm::normalize(glm::cross(up, right)), glm::normalize(right)};
-    for (const CoverBuffer::Window& window : found.windows) {
-      const PixelPosition low = picture.slope(window.pixels.x0, window.pixels.y0);
-      const PixelPosition high = picture.slope(window.pixels.x1, window.pixels.y1);
-      witness.windows.push_back({x * low.x, y * low.y, x * high.x, y * high.y, drawn_.polygons(memory_.buffer, window)});
+    for (std::size_t i = 0; i < found.windows.size(); ++i) {
+      const PixelRectangle& pixels = found.windows[i].pixels;
+      const PixelPosition low = picture.slope(pixels.x0, pixels.y0), high = picture.slope(pixels.x1, pixels.y1);
+      CoverWindow& window = witness.windows[i];
+      window.x0 = x * low.x;
+      window.y0 = y * low.y;
+      window.x1 = x * high.x;
+      window.y1 = y * high.y;
     }
   }
 

@@ -182,7 +182,12 @@ class CullJudge {
     const auto& [at, normal, right] = witness.focus;
     oracle::RegionWitness asked{eyes, to_oracle(witness.box), {{point(at), point(normal), point(right)}, {}}};
     for (const culler::CoverWindow& w : witness.windows) {
-      asked.layer.windows.push_back({w.x0, w.y0, w.x1, w.y1, oracle::Sheet(loops(w.polygons), drawn)});
+      std::vector<oracle::Loop> sheet = loops(w.polygons);
+      for (const auto& [p, corner] : w.triangles) {
+        const oracle::Loop loop = to_oracle(polygon(hierarchy_.soup().loop(p)));
+        sheet.push_back({loop[0], loop[corner], loop[corner + 1]});
+      }
+      asked.layer.windows.push_back({w.x0, w.y0, w.x1, w.y1, oracle::Sheet(sheet, drawn)});
     }
     return oracle::judge(asked).reason;
   }

@@ -277,15 +277,17 @@ std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint
 std::string Prover::fault_of_region(const oracle::EyeRegion& eyes, const Json& object, const AnyCamera& camera,
                                     const Box& box) const {
   const oracle::HalfSpaceCoefficients beyond_near = drawn(camera, model_, eyes);
-  std::map<Json, oracle::Sheet> sheets;  // windows side by side have the same polygons
+  std::map<std::pair<Json, Json>, oracle::Sheet> sheets;  // windows side by side have the same one
   std::size_t windows = 0, vertices = 0;
   std::string fault;
-  const auto sheet_of = [&](const Json& polygons) {
-    auto found = sheets.find(polygons);
+  const auto sheet_of = [&](const Json& window) {
+    const std::pair key(member(window, "polygons"), window.value("triangles", Json::array()));
+    auto found = sheets.find(key);
     if (found != sheets.end()) return found->second;
-    auto [cover, fault_of_cover] = cover_of(polygons, vertices);
+    auto [cover, fault_of_cover] = cover_of(key.first, vertices);
+    if (fault_of_cover.empty()) fault_of_cover = append_triangles(key.second, cover);
     if (fault.empty()) fault = fault_of_cover;
-    return sheets.emplace(polygons, oracle::Sheet(cover, beyond_near)).first->second;
+    return sheets.emplace(key, oracle::Sheet(cover, beyond_near)).first->second;
   };
   const std::function<oracle::Layer(const Json&)> layer_of = [&](const Json& described) {
     const Json& listed = member(described, "windows");
@@ -300,7 +302,7 @@ std::string Prover::fault_of_region(const oracle::EyeRegion& eyes, const Json& o
       if (window.contains("windows")) {
         layer.windows.push_back({x0, y0, x1, y1, layer_of(window)});
       } else {
-        layer.windows.push_back({x0, y0, x1, y1, sheet_of(member(window, "polygons"))});
+        layer.windows.push_back({x0, y0, x1, y1, sheet_of(window)});
       }
     }
     return layer;
@@ -325,6 +327,25 @@ Prover::CoverOrFault Prover::cover_of(const Json& polygons, std::size_t& vertice
       throw LineError(fmt::format("\"polygons\": more than {} vertices", render::kMostWitnessVertices));
   }
   return {std::move(cover), ""};
+}
+
+/// Adds triangles of fans, each named by its polygon and the second of its corners.
+std::string Prover::append_triangles(const Json& triangles, std::vector<oracle::Loop>& cover) const {
+  if (!triangles.is_array()) throw LineError("\"triangles\": expected a list of [polygon, corner]");
+  if (triangles.size() > render::kMostWitnessVertices / 3)
+    throw LineError(fmt::format("\"triangles\": more than {} vertices", render::kMostWitnessVertices));
+  for (const Json& named : triangles) {
+    if (!named.is_array() || named.size() != 2 || !named[1].is_number_unsigned())
+      throw LineError("\"triangles\": expected a list of [polygon, corner]");
+    const std::optional<std::uint32_t> p = polygon_of(named[0]);
+    const auto corner = named[1].get<std::size_t>();
+    if (!p || corner == 0 || corner + 1 >= hierarchy_.soup().loop(*p).size()) return "no such triangle";
+    if (!hierarchy_.soup().is_opaque(*p)) return "a see-through polygon hides nothing";
+    const auto loop = hierarchy_.soup().loop(*p);
+    const auto at = [&](std::size_t i) { return key(hierarchy_.soup().vertices[loop[i]]); };
+    cover.push_back({at(0), at(corner), at(corner + 1)});
+  }
+  return "";
 }
 
 std::optional<std::uint32_t> Prover::polygon_of(const Json& named) const {

@@ -95,6 +95,7 @@ class Prover {
                                            const AnyCamera& camera, const Box& box) const;
   /// The polygon of the tree that is named in a cover by its number in the model file or, where it has several pieces, by
   /// [number, piece]. None if there is none. Throws LineError if it is neither.
+  [[nodiscard]] std::string append_triangles(const nlohmann::json& triangles, std::vector<oracle::Loop>& cover) const;
   [[nodiscard]] std::optional<std::uint32_t> polygon_of(const nlohmann::json& named) const;
   /// Whether the loop is the border of the `parts`. Each part is a run of triangles of one polygon, none of them among those
   /// triangles.

@@ -153,7 +153,11 @@ class Lines {
     if (cover.windows.empty()) return append_cover(cover.range, cover.box, cover.polygons);
     const auto& [point, normal, right] = cover.focus;
     const auto window = [&](const culler::CoverWindow& w) {
-      return fmt::format(R"({{"rect":[{},{},{},{}],"polygons":{}}})", w.x0, w.y0, w.x1, w.y1, names(w.polygons));
+      const std::string parts =
+          w.triangles.empty() ? "" : R"(,"triangles":)" + list(w.triangles, [&](const culler::FanTriangle& t) {
+                                       return fmt::format("[{},{}]", name_of(hierarchy_, t.polygon), t.corner);
+                                     });
+      return fmt::format(R"({{"rect":[{},{},{},{}],"polygons":{}{}}})", w.x0, w.y0, w.x1, w.y1, names(w.polygons), parts);
     };
     append(cover.range, cover.box,
            fmt::format(R"("by":"cover","focus":{{"point":{},"normal":{},"right":{}}},"windows":{})", triple(point),

@@ -179,11 +179,19 @@ struct FocusPlane {
   glm::dvec3 point{}, normal{}, right{};
 };
 
-/// The lines of sight that cross a FocusPlane at x0 <= x <= x1 and y0 <= y <= y1, and polygons in Hierarchy::soup() whose
-/// fans together, modulo 2, all these lines meet.
+/// A triangle of the fan of a polygon in Hierarchy::soup(): of the corners 0, corner and corner + 1 of its loop.
+struct FanTriangle {
+  std::uint32_t polygon, corner;
+
+  auto operator<=>(const FanTriangle&) const = default;
+};
+
+/// The lines of sight that cross a FocusPlane at x0 <= x <= x1 and y0 <= y <= y1, and a sheet that all these lines meet:
+/// triangles, modulo 2.
 struct CoverWindow {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  std::vector<std::uint32_t> polygons;
+  std::vector<std::uint32_t> polygons;  ///< of which all triangles are in the sheet, ascending
+  std::vector<FanTriangle> triangles;   ///< those of other polygons, ascending
 };
 
 /// What hides a subtree that was culled by cover, or a part of the subtree.
