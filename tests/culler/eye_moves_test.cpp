@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What the eyes of a region do in a picture with a plane in focus: positions, edges and planes hold from each of them.
+#include "cover/eye_moves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <iostream>
+#include <limits>
+#include <random>
+
+#include "camera/frame_view.h"
+#include "cover/conservative_viewport.h"
+#include "cover/projected_plane.h"
+#include "scenes.h"
+
+namespace occlude::culler {
+namespace eye_moves_test {
+
+using Real = long double;
+using Vector = glm::vec<3, Real>;
+
+/// A picture of several eyes, and what one of them sees in it.
+class EyeMovesTest : public testing::Test {
+ protected:
+  void SetUp() override { std::cout << "seed " << seed() << "\n"; }
+
+  struct Place {
+    Real x, y, nearness;  ///< in pixels; 1 over the distance along the line of sight from the middle
+  };
+
+  [[nodiscard]] double number(double low, double high) { return uniform(random_, low, high); }
+  [[nodiscard]] glm::dvec3 some_vector() { return {number(-1, 1), number(-1, 1), number(-1, 1)}; }
+  [[nodiscard]] double some_size(double low, double high) { return std::exp(number(std::log(low), std::log(high))); }
+
+  void next_picture() {
+    Camera camera;
+    camera.eye = 100.0 * some_vector();
+    camera.target = camera.eye + some_vector();
+    camera.fov_y_deg = number(20, 100);
+    camera.near_plane = some_size(0.01, 2);
+    const double size = some_size(0.01, 3);
+    switch (random_() % 3) {
+      case 0:
+        camera.eyes = EyeRegion::ball(size);
+        break;
+      case 1:
+        camera.eyes = EyeRegion::box(size * some_vector(), 0.3 * size * some_vector(), 0.1 * some_vector());
+        break;
+      default:
+        camera.eyes = EyeRegion::box(size * camera.axes().forward, 0.1 * camera.axes().right);
+    }
+    eyes_ = camera.eyes;
+    picture_ = ConservativeViewport(FrameView(camera, kDepth), {512, 288, 16}, 0);
+    focus_ = number(0, 1) * number(0, 1) * picture_.most_focus();
+  }
+
+  /// At any place beyond the near cut, often close to it and to the side.
+  [[nodiscard]] glm::dvec3 some_point() {
+    const double forward = picture_.near() * (1 + some_size(1e-3, 1e3));
+    return point(number(-2, 2) * forward, number(-2, 2) * forward, forward);
+  }
+  [[nodiscard]] glm::dvec3 point(double right, double up, double forward) const {
+    return picture_.eye() + right * picture_.right() + up * picture_.up() + forward * picture_.forward();
+  }
+  [[nodiscard]] bool is_beyond(const glm::dvec3& p) const { return picture_.eye_point(p).forward >= picture_.near(); }
+
+  /// At a corner, on the sphere, or anywhere in the region.
+  [[nodiscard]] Vector some_eye() {
+    if (eyes_.radius > 0) {
+      const Vector direction = glm::normalize(Vector(some_vector()));
+      return direction * Real(eyes_.radius * (random_() % 2 == 0 ? 1.0 : number(0, 1)));
+    }
+    Vector eye(0);
+    for (const glm::dvec3& h : eyes_.half_edges) {
+      eye += Vector(h) * Real(random_() % 2 == 0 ? (random_() % 2 == 0 ? 1.0 : -1.0) : number(-1, 1));
+    }
+    return eye;
+  }
+
+  [[nodiscard]] Place seen_from(const Vector& eye, const Vector& p) const {
+    const auto along = [](const glm::dvec3& axis, const Vector& v) { return glm::dot(Vector(axis), v); };
+    const Vector y = p - Vector(picture_.eye());
+    const Vector e(along(picture_.right(), eye), along(picture_.up(), eye), along(picture_.forward(), eye));
+    const Vector v(along(picture_.right(), y), along(picture_.up(), y), along(picture_.forward(), y));
+    const Real focus = focus_, left = 1 - focus * e.z, forward = v.z - e.z;
+    const Real x = focus * e.x + (v.x - e.x) / forward * left, up = focus * e.y + (v.y - e.y) / forward * left;
+    return {picture_.middle().x + picture_.scale().x * x, picture_.middle().y + picture_.scale().y * up, 1 / v.z};
+  }
+
+  static constexpr double kDepth = 4000;
+  /// OCCLUDE_SEED, or the one that this test has always had.
+  static std::uint32_t seed() {
+    const char* const requested = std::getenv("OCCLUDE_SEED");
+    return requested != nullptr ? static_cast<std::uint32_t>(std::strtoul(requested, nullptr, 10)) : 1;
+  }
+  std::mt19937 random_{seed()};
+  EyeRegion eyes_;
+  ConservativeViewport picture_;
+  double focus_ = 0;
+};
+
+TEST_F(EyeMovesTest, HoldPositions) {
+  std::size_t tight = 0, all = 0;
+  for (int i = 0; i < 4000; ++i) {
+    next_picture();
+    const glm::dvec3 p = some_point();
+    if (!is_beyond(p)) continue;
+    const MovedPosition moved = picture_.moving(picture_.eye_point(p)).at(focus_);
+    Real nearest = std::numeric_limits<Real>::infinity();
+    for (int k = 0; k < 32; ++k) {
+      const Place at = seen_from(some_eye(), Vector(p));
+      ASSERT_GE(at.x, moved.low.x - moved.error);
+      ASSERT_LE(at.x, moved.high.x + moved.error);
+      ASSERT_GE(at.y, moved.low.y - moved.error);
+      ASSERT_LE(at.y, moved.high.y + moved.error);
+      nearest = std::min({nearest, at.x - moved.low.x, moved.high.x - at.x, at.y - moved.low.y, moved.high.y - at.y});
+    }
+    ++all;
+    tight += nearest < 0.1 * std::max(moved.high.x - moved.low.x, moved.high.y - moved.low.y) ? 1 : 0;
+  }
+  EXPECT_GT(tight, all / 2) << "the bounds are much too large";
+}
+
+/// Of long edges and of such as are shorter than the moves, whose ends may pass each other.
+TEST_F(EyeMovesTest, HoldEdges) {
+  for (int i = 0; i < 20000; ++i) {
+    next_picture();
+    const glm::dvec3 p = some_point();
+    const glm::dvec3 q = i % 2 == 0 ? some_point() : p + some_size(1e-3, 1) * some_vector();
+    if (!is_beyond(p) || !is_beyond(q)) continue;
+    const MovingPosition from = picture_.moving(picture_.eye_point(p)), to = picture_.moving(picture_.eye_point(q));
+    const SweptEdge swept = picture_.swept(picture_.moving(from.still, to.still), from.still, to.still, focus_);
+    for (int k = 0; k < 16; ++k) {
+      const Real share = k % 4 == 0 ? 0 : k % 4 == 1 ? 1 : number(0, 1);
+      const Place at = seen_from(some_eye(), Vector(p) + share * (Vector(q) - Vector(p)));
+      for (std::size_t c = 0; c < 4; ++c) {
+        const PixelPosition &a = swept.corners[c], &b = swept.corners[(c + 1) % 4];
+        const Real x = Real(b.x) - a.x, y = Real(b.y) - a.y, length = std::sqrt(x * x + y * y);
+        if (length == 0) continue;
+        const Real inside = (x * (at.y - a.y) - y * (at.x - a.x)) / length;
+        ASSERT_GE(inside, -2 * Real(swept.error)) << "edge " << i << ", side " << c;
+      }
+    }
+  }
+}
+
+TEST_F(EyeMovesTest, HoldPlanes) {
+  std::size_t known = 0, tight = 0;
+  const auto reach = [&] {
+    const PixelPosition high = picture_.slope(512, 288);
+    return 40 * (high.x + high.y);
+  };
+  for (int i = 0; i < 20000; ++i) {
+    next_picture();
+    const std::array<glm::dvec3, 3> t{some_point(), some_point(), some_point()};
+    if (!std::ranges::all_of(t, [&](const glm::dvec3& p) { return is_beyond(p); })) continue;
+    const ProjectedPlane plane(picture_, reach(), picture_.eye_point(t[0]), picture_.eye_point(t[1]),
+                               picture_.eye_point(t[2]));
+    if (!plane.is_known()) continue;
+    ++known;
+    for (int k = 0; k < 16; ++k) {
+      const Real a = number(0, 1), b = (1 - a) * Real(number(0, 1));
+      const Place at = seen_from(some_eye(), a * Vector(t[0]) + b * Vector(t[1]) + (1 - a - b) * Vector(t[2]));
+      const Real x = (at.x - picture_.middle().x) / picture_.scale().x,
+                 y = (at.y - picture_.middle().y) / picture_.scale().y;
+      if (std::fabs(x) + std::fabs(y) > reach()) continue;
+      Real bound = std::numeric_limits<Real>::infinity();
+      for (const PlaneBound& of : plane.bounds(focus_)) {
+        bound = std::min(bound, (of.constant + of.of_x * x + of.of_y * y) * Real(of.scale));
+      }
+      ASSERT_LE(bound, at.nearness * (1 + 0x1p-40L)) << "plane " << i;
+      tight += bound > 0.9L * at.nearness ? 1 : 0;
+    }
+  }
+  EXPECT_GT(known, 3000U);
+  EXPECT_GT(tight, 4 * known) << "the bounds are much too small";
+}
+
+/// By hand: a focus at twice the distance of a point, and an eye that is 1 to the right and 1 ahead.
+TEST(EyeMoves, OfAPointByHand) {
+  const Camera::Axes axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  // The point is (0.5, 0, 1) / 0.25 = (2, 0, 4). From the eye (1, 0, 1) the ray (1, 0, 3) passes z = 8 at 1 + 7 / 3; over 8
+  // that is 5 / 12, a move of -1 / 12, which is f - k = -1 / 8 times 2 / 3.
+  const EyeMoves::Range range = EyeMoves(EyeRegion::box({1, 0, 1}), axes).along(1, 0, 0.5, 0, 0.25);
+  EXPECT_DOUBLE_EQ(range.high, 2.0 / 3);
+  // From (-1, 0, -1) the ray (3, 0, 5) passes it at -1 + 27 / 5: 11 / 20, a move of 1 / 20.
+  EXPECT_DOUBLE_EQ(range.low, -2.0 / 5);
+  // A ball around the eye of a point straight ahead moves it to both sides alike, by r / sqrt(1 - (r k)^2).
+  const EyeMoves::Range ball = EyeMoves(EyeRegion::ball(2), axes).along(0, 1, 0, 0, 0.25);
+  EXPECT_DOUBLE_EQ(ball.high, 2 / std::sqrt(0.75));
+  EXPECT_DOUBLE_EQ(ball.low, -ball.high);
+}
+
+}  // namespace eye_moves_test
+}  // namespace occlude::culler
