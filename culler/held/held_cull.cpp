@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -27,8 +28,8 @@ namespace {
 constexpr double kMostTurn = 20;
 /// Frames before the present region ends, beside those that a cull takes, in which the next one is asked for.
 constexpr double kFramesBefore = 2;
-/// What a region hides is compared with a frame by point for the first so many, and then for one of so many.
-constexpr std::size_t kComparedAtFirst = 4, kComparedThen = 8;
+/// What a region hides is compared with a frame by point until the lease stays as it is, and then for one region of so many.
+constexpr std::size_t kCompared = 4;
 /// Room for near planes, as for those of ahead().
 constexpr double kFartherNear = 1 + 1.0 / 64;
 
@@ -49,6 +50,13 @@ double stretch(const Camera& from, const Camera& to) {
   return square * from_half / half;
 }
 
+template <class Work>
+double milliseconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
 
 struct HeldCull::State {
@@ -61,7 +69,9 @@ struct HeldCull::State {
     double asked_at = 0, lease = 0;
     HeldRegion region;
     double hidden_share = 1;  ///< of what a frame by point hides
+    double cost = 0;          ///< frames by point that take as long; 0 if that is not known
     bool has_failed = false;
+    std::size_t frames = 0;  ///< that used it
   };
 
   State(const Culler& of, HeldOptions how) : culler(of), options(std::move(how)), background(options.later) {}
@@ -79,6 +89,7 @@ struct HeldCull::State {
     if (is_ready && !holds) {
       ++stats.late;
       is_ready = false;
+      leave(ready, seconds);
     }
     if (picture && !holds && !background.is_there() && plan(*picture, seconds)) {
       make(making);
@@ -102,6 +113,7 @@ struct HeldCull::State {
       planes.push_back({to_kernel(view.half_spaces[i].normal), view.half_spaces[i].offset});
     }
     present.region.leaves().list(planes, result);
+    ++present.frames;
     result.is_of_point = false;
   }
 
@@ -131,12 +143,11 @@ struct HeldCull::State {
   /// Says what to cull next. False if that does not pay.
   bool plan(const Camera& picture, double seconds) {
     if (!lease.pays(seconds)) return false;
-    const double longest = latency + lease.seconds();
     // A camera that turns faster than it did a moment ago is the rule when it begins to turn.
-    const double turn = options.way.turn_degrees + 1.5 * longest * motion.turning();
+    const auto turn_in = [&](double held) { return options.way.turn_degrees + 1.5 * held * motion.turning(); };
+    const double of_one = latency + lease.seconds(false, motion.frame_seconds()), turn = turn_in(of_one);
     const bool is_around = turn > kMostTurn;
-    const double frames = is_around ? Lease::kFramesAround : Lease::kFramesOfOne;
-    if (lease.seconds() < frames * motion.frame_seconds()) return false;
+    const double lasts = lease.seconds(is_around, motion.frame_seconds()), longest = latency + lasts;
     AheadOptions way = options.way;
     way.turn_degrees = is_around ? 0 : turn;
     const Camera ahead_of = ahead(picture, motion.velocity(), longest, way);
@@ -148,11 +159,12 @@ struct HeldCull::State {
       making.cameras.assign(cameras.begin(), cameras.end());
     }
     making.planned_for = picture;
+    making.frames = 0;
     making.asked_at = seconds;
-    making.lease = lease.seconds();
+    making.lease = lasts;
     making.options = options.cull;
     making.options.margin *= stretch(picture, making.cameras[0]);
-    making.is_compared = stats.regions < kComparedAtFirst || stats.regions % kComparedThen == 0;
+    making.is_compared = lease.has_changed() || stats.regions % kCompared == 0;
     stats.around += is_around ? 1 : 0;
     ++stats.regions;
     return true;
@@ -162,8 +174,8 @@ struct HeldCull::State {
   void make(Making& of) noexcept {
     try {
       of.has_failed = true;
-      of.region.cull(culler, of.cameras, of.options, view_of_regions);
-      if (of.is_compared) compare(of);
+      const double ms = milliseconds([&] { of.region.cull(culler, of.cameras, of.options, view_of_regions); });
+      if (of.is_compared) compare(of, ms);
       of.has_failed = false;
     } catch (...) {
       // Frames go on by point.
@@ -171,8 +183,10 @@ struct HeldCull::State {
   }
 
   /// Culls for the eye for which the region was planned, too.
-  void compare(Making& of) {
-    const CullResult& frame = culler.cull(of.planned_for, options.cull, view_compared);
+  void compare(Making& of, double region_ms) {
+    const double ms = milliseconds([&] { culler.cull(of.planned_for, options.cull, view_compared); });
+    const CullResult& frame = view_compared.result();
+    of.cost = options.is_repeatable || ms == 0 ? 0 : region_ms / ms;
     std::vector<kernel::HalfSpace> view;
     for (const HalfSpace& h : frame.view) view.push_back({to_kernel(h.normal), h.offset});
     HeldResult drawn;
@@ -195,14 +209,19 @@ struct HeldCull::State {
       lease.hid(-1, seconds);
     } else if (making.is_compared) {
       lease.hid(making.hidden_share, seconds);
+      if (making.cost > 0) lease.cost(making.cameras.size() > 1, making.cost);
     }
     std::swap(ready, making);
     is_ready = !ready.has_failed;
   }
   void use_ready(double seconds) {
-    lease.held(seconds - present.asked_at, present.lease);
+    if (stats.regions > 1) leave(present, seconds);
     std::swap(present, ready);
     is_ready = false;
+  }
+
+  void leave(const Making& region, double seconds) {
+    lease.held(seconds - region.asked_at, region.lease, region.cameras.size() > 1, region.frames, seconds);
   }
 
   const Culler& culler;

@@ -16,15 +16,19 @@ constexpr double kLongestRest = 8;
 }  // namespace
 
 void Lease::hid(double share, double now) {
+  const double before = seconds_;
+  if (share >= kHalf && !lost_) rest_ = kShortestRest;
   if (share >= kAll) seconds_ = std::min(2 * seconds_, kLongest);
-  if (share >= kHalf) rest_ = 1;
-  if (share >= kMost) return;
-  if (share < kHalf && seconds_ <= kShortest) return rest(now);
-  seconds_ = std::max(seconds_ / 2, kShortest);
+  if (share < kMost) seconds_ = std::max(seconds_ / 2, kShortest);
+  has_changed_ = seconds_ != before;
+  if (share < kHalf && !has_changed_) rest(now);
 }
 
-void Lease::held(double seconds, double lease) {
+void Lease::held(double seconds, double lease, bool is_around, std::size_t frames, double now) {
   if (seconds < lease / 2) seconds_ = std::max(seconds_ * 0.75, kShortest);
+  const bool has_lost = static_cast<double>(frames) < (is_around ? cost_around_ : cost_);
+  if (has_lost && lost_) rest(now);
+  lost_ = has_lost;
 }
 
 void Lease::rest(double now) {

@@ -30,6 +30,7 @@ void add_bench_kernel(Command bench, int& exit_code);
 void add_bench_culler(Command bench, int& exit_code);
 void add_bench_scene(Command bench, int& exit_code);
 void add_bench_town(Command bench);
+void add_bench_held(Command bench);
 void add_bench_rivals(Command bench);
 void add_bench_all(Command bench, int& exit_code);
 

@@ -52,6 +52,7 @@ void add_bench(occlude::cli::Command app) {
   occlude::cli::add_bench_culler(bench, exit_code);
   occlude::cli::add_bench_scene(bench, exit_code);
   occlude::cli::add_bench_town(bench);
+  occlude::cli::add_bench_held(bench);
   occlude::cli::add_bench_rivals(bench);
   occlude::cli::add_bench_all(bench, exit_code);
 }

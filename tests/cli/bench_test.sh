@@ -81,6 +81,17 @@ drawn() { grep -A1 '"drawn"' "$1" | sed -n 's/^ *"median": \([0-9]*\).*/\1/p'; }
 "$occlude" bench town "${small[@]}" | grep -q 'objects hidden' || fail "bench town without --json"
 expect_error "--walls" "$occlude" bench town --houses 5 --walls 6
 
+# bench held: everything is there, for each way to move, and regions hold.
+"$occlude" bench held good.ply --path path.json --frames 40 --json >held.json || fail "bench held"
+for member in model polygons frames moves ms own_ms worst_own_ms beside_ms point_ms hidden_over_point drawn frames_by_point regions \
+  machine; do
+  grep -q "^ *\"$member\": " held.json || fail "bench held: no $member"
+done
+[ "$(grep -c '"move": ' held.json)" -eq 4 ] || fail "bench held: $(grep -c '"move": ' held.json) ways to move"
+grep -q '"regions": 0,' held.json && fail "bench held: no region was culled"
+"$occlude" bench held good.ply --path path.json --frames 2 | grep -q 'turning' || fail "bench held without --json"
+expect_error "--frames" "$occlude" bench held --frames 0
+
 # bench rivals: everything is there; what the wall hides is culled by ours, and nothing that shows.
 small=(good.ply --path path.json --size 64x36 --leaf 1 --repetitions 1)
 "$occlude" bench rivals "${small[@]}" --frames 0:4:2 --rays 32x18,64x36 --json --out rivals >rivals.json || fail "bench rivals"

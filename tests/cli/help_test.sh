@@ -9,7 +9,7 @@ walk_of_squares
 expect_error "frobnicate" "$occlude" frobnicate
 
 commands=("" generate "generate city" preprocess walk render inspect compare why classify validate fuzz bench "bench kernel" "bench culler"
-  "bench scene" "bench town" "bench rivals" "bench all" help)
+  "bench scene" "bench town" "bench held" "bench rivals" "bench all" help)
 for command in "${commands[@]}"; do
   "$occlude" $command --help >stdout || fail "no help for '$command'"
   grep -q . stdout || fail "an empty help for '$command'"

@@ -84,11 +84,11 @@ class Wanderer {
   explicit Wanderer(std::mt19937& random) : random_(random) { jump(); }
 
   Camera after(double seconds) {
-    if (random_() % 60 == 0) {
+    if (random_() % 180 == 0) {
       speed_ = std::array{0.0, 1.5, 1.5, 1.5, 15.0}[random_() % 5];
       turning_ = std::array{0.0, 0.0, 20.0, -30.0, 180.0}[random_() % 5];
     }
-    if (random_() % 300 == 0) jump();
+    if (random_() % 400 == 0) jump();
     angle_ += glm::radians(turning_) * seconds;
     const dvec3 forward{std::cos(angle_), std::sin(angle_), 0.1 * std::sin(3 * angle_)};
     camera_.eye += speed_ * seconds * dvec3(forward.x, forward.y, 0);
@@ -116,14 +116,32 @@ std::vector<bool> drawn_polygons(const Culler& culler, const HeldResult& result)
 
 constexpr CoverOptions kCover{.width = 256, .height = 144};
 
+/// Rows of houses of different heights along streets, without gaps but for some, with small things in the streets.
+PolygonSoup streets(std::mt19937& random) {
+  PolygonSoup soup;
+  for (double y = -50; y <= 50; y += 20) {
+    for (double x = -50; x < 50; x += 10) {
+      if (random() % 8 == 0) continue;
+      const double height = uniform(random, 4, 12);
+      add_box(soup, {x, y - 5, 0}, {x + 10, y + 5, height}, random() % 2 == 0);
+    }
+  }
+  while (soup.size() < 1200) {
+    const dvec3 at{uniform(random, -55, 55), uniform(random, -60, 60), uniform(random, 0, 3)};
+    const auto near = [&] { return at + dvec3{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -0.5, 0.5)}; };
+    add(soup, {near(), near(), near()});
+  }
+  return soup;
+}
+
 /// Answers come after up to half a second, or never in time.
 TEST(HeldCull, NothingThatIsSeenIsEverLeftOut) {
   std::mt19937 random(seed_of(5621));
-  const Culler culler(random_town_of_houses(56, 1500), {.hierarchy = {.leaf_size = 4}});
+  const Culler culler(streets(random), {.hierarchy = {.leaf_size = 4}});
   Delays delays;
   HeldOptions options;
   options.cull.cover = kCover;
-  options.later = delays.later([&] { return uniform(random, 0, 0.5); });
+  options.later = delays.later([&] { return random() % 4 == 0 ? uniform(random, 0, 0.5) : 0.01; });
   HeldCull held(culler, options);
   Wanderer wanderer(random);
   unsigned rays = 0;
@@ -291,23 +309,46 @@ TEST(Motions, JumpsCountForNothing) {
 
 TEST(Leases, GrowShrinkAndRest) {
   Lease lease;
-  const double usual = lease.seconds();
+  const auto seconds = [&] { return lease.seconds(false, 0); };
+  const double usual = seconds();
   lease.hid(1, 0);
-  EXPECT_EQ(lease.seconds(), 2 * usual);
+  EXPECT_EQ(seconds(), 2 * usual);
+  EXPECT_TRUE(lease.has_changed());
   lease.hid(0.95, 0);
-  EXPECT_EQ(lease.seconds(), 2 * usual);
+  EXPECT_EQ(seconds(), 2 * usual);
+  EXPECT_FALSE(lease.has_changed());
   lease.hid(0.7, 0);
-  EXPECT_EQ(lease.seconds(), usual);
-  lease.held(0.9 * usual, usual);
-  EXPECT_EQ(lease.seconds(), usual);
-  lease.held(0.1 * usual, usual);
-  EXPECT_LT(lease.seconds(), usual);
+  EXPECT_EQ(seconds(), usual);
+  lease.held(0.9 * usual, usual, false, 100, 0);
+  EXPECT_EQ(seconds(), usual);
+  lease.held(0.1 * usual, usual, false, 100, 0);
+  EXPECT_LT(seconds(), usual);
   for (int k = 0; k < 10 && lease.pays(0); ++k) lease.hid(0.1, 0);
-  EXPECT_FALSE(lease.pays(0.5));
-  EXPECT_TRUE(lease.pays(1));
+  EXPECT_FALSE(lease.pays(0.12));
+  EXPECT_TRUE(lease.pays(0.125));
   lease.hid(0.1, 1);
-  EXPECT_FALSE(lease.pays(2.5)) << "it rests for longer";
-  EXPECT_TRUE(lease.pays(3));
+  EXPECT_FALSE(lease.pays(1.24)) << "it rests for longer";
+  EXPECT_TRUE(lease.pays(1.25));
+}
+
+TEST(Leases, RestAfterRegionsThatHardlyAnythingUsed) {
+  Lease lease;
+  lease.held(1, 1, false, 3, 0);
+  EXPECT_TRUE(lease.pays(0)) << "once";
+  lease.held(1, 1, false, 4, 0);
+  lease.held(1, 1, true, 15, 0);
+  EXPECT_TRUE(lease.pays(0)) << "once more";
+  lease.held(1, 1, true, 15, 0);
+  EXPECT_FALSE(lease.pays(0.12));
+  EXPECT_TRUE(lease.pays(0.125));
+}
+
+TEST(Leases, AreNoShorterThanTheirTime) {
+  Lease lease;
+  lease.cost(false, 30);
+  lease.cost(true, 120);
+  EXPECT_EQ(lease.seconds(false, 1), 60);
+  EXPECT_EQ(lease.seconds(true, 1), 240);
 }
 
 }  // namespace held_cull_test
