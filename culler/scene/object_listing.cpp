@@ -47,16 +47,26 @@ class ObjectListing::Objects : public StandingNodes {
   template <class Boxes>
   bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
     if (!tested.block.is_leaf(i)) return true;
-    const float size = listing_.buffer_.seen_size(tested.seen, i);
-    if (size < listing_.options_.least_size) {
-      ++listing_.stats_.too_small;
+    const std::uint32_t object = tested.block.begin[i];
+    if (&listing_.hiding_ == &listing_.own_) {
+      draw(object, tested.seen, i);
     } else {
-      listing_.draw({group_.id(tested.block.begin[i]), size, tested.seen.distance[i]});
+      draw(object, listing_.seen(group_.outer(object)), 0);
     }
     return false;
   }
 
  private:
+  /// Lists the object unless it is too small. It is box i of these.
+  void draw(std::uint32_t object, const ProjectedBoxes& seen, std::size_t i) {
+    const float size = listing_.own_.seen_size(seen, i);
+    if (size < listing_.options_.least_size) {
+      ++listing_.stats_.too_small;
+    } else {
+      listing_.draw({group_.id(object), size, seen.distance[i]});
+    }
+  }
+
   ObjectListing& listing_;
   const ObjectGroup& group_;
   kernel::BoxBits oriented_ = 0;  ///< of those asked last
@@ -64,7 +74,7 @@ class ObjectListing::Objects : public StandingNodes {
 
 void ObjectListing::list(const ObjectGroup& group, std::uint32_t straddled_planes) {
   Objects objects(*this, group);
-  CoverDescent(group.tree().tree(), buffer_, stats_.work, objects).run(straddled_planes);
+  CoverDescent(group.tree().tree(), hiding_, stats_.work, objects).run(straddled_planes);
 }
 
 bool ObjectListing::is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {
@@ -73,11 +83,13 @@ bool ObjectListing::is_beyond(std::uint32_t plane, const ObjectGroup& group, std
   });
 }
 
-float ObjectListing::size_of(const kernel::Aabb& box) const {
+ProjectedBoxes ObjectListing::seen(const kernel::Aabb& box) const {
   ProjectedBoxes boxes;
-  boxes.add(buffer_.box_picture(), box);
-  boxes.project(buffer_.box_picture());
-  return buffer_.seen_size(boxes, 0);
+  boxes.add(own_.box_picture(), box);
+  boxes.project(own_.box_picture());
+  return boxes;
 }
+
+float ObjectListing::size_of(const kernel::Aabb& box) const { return own_.seen_size(seen(box), 0); }
 
 }  // namespace occlude::culler

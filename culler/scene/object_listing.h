@@ -17,8 +17,10 @@ namespace occlude::culler {
 class ObjectListing {
  public:
   /// Lists to `room`, which must be enough for all objects of the groups. What is given outlives this.
-  ObjectListing(const SceneOptions& options, const ViewPlanes& view, const CoverBuffer& buffer, std::span<DrawnObject> room)
-      : options_(options), view_(view), buffer_(buffer), room_(room) {}
+  /// Objects are hidden in `hiding`; `own` is the picture of the camera, in which they have a size.
+  ObjectListing(const SceneOptions& options, const ViewPlanes& view, const CoverBuffer& hiding, const CoverBuffer& own,
+                std::span<DrawnObject> room)
+      : options_(options), view_(view), hiding_(hiding), own_(own), room_(room) {}
 
   /// The objects of a group that are neither hidden nor out of view. `straddled_planes` has a bit for each plane of the view
   /// that may cross the group.
@@ -42,9 +44,12 @@ class ObjectListing {
  private:
   class Objects;
 
+  /// The box alone, in the picture of the camera.
+  [[nodiscard]] ProjectedBoxes seen(const kernel::Aabb& box) const;
+
   const SceneOptions& options_;
   const ViewPlanes& view_;
-  const CoverBuffer& buffer_;
+  const CoverBuffer &hiding_, &own_;
   std::span<DrawnObject> room_;
   SceneStats stats_;
 };

@@ -4,7 +4,9 @@
 #include <atomic>
 #include <stdexcept>
 #include <string>
+#include <unordered_set>
 #include <utility>
+#include <variant>
 
 #include "camera/holds_for.h"
 #include "camera/sound_camera.h"
@@ -17,10 +19,15 @@
 namespace occlude::culler {
 namespace {
 
+/// So many times as far as the scene reaches do views reach that later frames are held against: things may come and go.
+constexpr double kRoomOfHeld = 2;
+
 template <class AnyCamera>
-FrameView view_of(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera) {
+FrameView view_of(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
+                  const SceneOptions& options) {
   require_sound(camera);
-  return FrameView(camera, reach(objects, occluders, eye_of(camera)));
+  const double farthest = reach(objects, occluders, eye_of(camera));
+  return FrameView(camera, options.is_to_be_held ? kRoomOfHeld * farthest : farthest);
 }
 
 /// A number that no other scene has, nor this one before.
@@ -33,9 +40,35 @@ std::uint64_t new_edition() {
 template <class Parts, class AnyCamera>
 const SceneResult& cull_any(const Parts& scene, const AnyCamera& camera, const SceneOptions& options, SceneView& view) {
   SceneView::Memory& memory = memory_of(view);
-  memory.view = view_of(scene.objects, scene.occluders, camera);
+  memory.view = view_of(scene.objects, scene.occluders, camera, options);
   memory.edition = scene.edition;
+  memory.standing = options.is_to_be_held ? scene.standing : 0;
+  memory.mask = options.mask;
+  memory.least_size = options.least_size;
   cull_scene(scene.objects, scene.occluders, options, memory);
+  return view.result();
+}
+
+template <class Parts, class AnyCamera>
+bool holds_any(const Parts& scene, const SceneView& held, const AnyCamera& camera, const SceneOptions& options) {
+  const SceneView::Memory& memory = memory_of(held);
+  if (!held.holds_for(camera) || memory.standing != scene.standing) return false;
+  if (memory.mask != options.mask || memory.least_size != options.least_size) return false;
+  return std::visit(
+      [&](const auto& of) {
+        return FrameView(of, reach(scene.objects, scene.occluders, memory.view.eye)).depth <= memory.view.depth;
+      },
+      memory.view.any_camera);
+}
+
+template <class Parts, class AnyCamera>
+const SceneResult& cull_held_any(const Parts& scene, const AnyCamera& camera, const SceneOptions& options,
+                                 const SceneView& held, SceneView& view) {
+  if (!holds_any(scene, held, camera, options)) throw std::invalid_argument("the held frame does not hold");
+  SceneView::Memory& memory = memory_of(view);
+  memory.view = view_of(scene.objects, scene.occluders, camera, {});
+  memory.edition = memory.standing = 0;
+  cull_scene_held(scene.objects, scene.occluders, options, memory_of(held).cover.buffer, memory);
   return view.result();
 }
 
@@ -56,7 +89,7 @@ std::vector<ObjectFate> why_any(const Parts& scene, const AnyCamera& camera, con
                                 const SceneView& view, std::span<const ObjectId> ids) {
   scene.objects.require(ids);
   require_frame_of(scene, view);
-  const FrameView again = view_of(scene.objects, scene.occluders, camera);
+  const FrameView again = view_of(scene.objects, scene.occluders, camera, options);
   return fates_of(scene.objects, scene.occluders, again, repeated(view, options), ids);
 }
 
@@ -64,7 +97,7 @@ template <class Parts, class AnyCamera>
 void append_any(const Parts& scene, const AnyCamera& camera, const SceneOptions& options, const SceneView& view,
                 std::vector<ObjectWitness>& witnesses) {
   require_frame_of(scene, view);
-  const FrameView again = view_of(scene.objects, scene.occluders, camera);
+  const FrameView again = view_of(scene.objects, scene.occluders, camera, options);
   append_witnesses_of(scene.objects, scene.occluders, again, repeated(view, options), witnesses);
 }
 
@@ -96,7 +129,17 @@ struct Scene::Parts {
   SceneObjects objects{number};
   SceneOccluders occluders{number};
   std::uint64_t edition = new_edition();  ///< that of what views see
+  /// That of the last change by which something that stands still may hide less.
+  std::uint64_t standing = new_edition();
+  std::unordered_set<std::uint64_t> drawing;  ///< numbers of objects that draw occluders
+  bool has_lost = false;                      ///< one of them no longer does in all frames
 
+  void change(ObjectId object) { has_lost = has_lost || drawing.contains(object.number()); }
+  void remove(ObjectId object) { has_lost = drawing.erase(object.number()) > 0 || has_lost; }
+
+  void note_drawing(const OccluderOptions& options) {
+    if (!options.object.is_none()) drawing.insert(options.object.number());
+  }
   /// Throws std::invalid_argument unless the object that draws an occluder, if any, is there.
   void require_drawn(const OccluderOptions& options) const {
     const std::string reason = options.object.is_none() ? "" : objects.fault(options.object);
@@ -113,23 +156,38 @@ ObjectId Scene::add(const Box& box, const ObjectOptions& options) { return parts
 void Scene::add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids) {
   parts_->objects.add(boxes, options, ids);
 }
-void Scene::remove(ObjectId object) { parts_->objects.remove(object); }
-void Scene::remove(std::span<const ObjectId> objects) { parts_->objects.remove(objects); }
+void Scene::remove(ObjectId object) {
+  parts_->objects.remove(object);
+  parts_->remove(object);
+}
+void Scene::remove(std::span<const ObjectId> objects) {
+  parts_->objects.remove(objects);
+  for (const ObjectId object : objects) parts_->remove(object);
+}
 void Scene::move(ObjectId object, const Box& box) { parts_->objects.move(object, box); }
 void Scene::move(std::span<const ObjectId> objects, std::span<const Box> boxes) { parts_->objects.move(objects, boxes); }
-void Scene::set_enabled(ObjectId object, bool is_enabled) { parts_->objects.set_enabled(object, is_enabled); }
-void Scene::set_mask(ObjectId object, std::uint32_t mask) { parts_->objects.set_mask(object, mask); }
+void Scene::set_enabled(ObjectId object, bool is_enabled) {
+  parts_->objects.set_enabled(object, is_enabled);
+  parts_->change(object);
+}
+void Scene::set_mask(ObjectId object, std::uint32_t mask) {
+  parts_->objects.set_mask(object, mask);
+  parts_->change(object);
+}
 bool Scene::contains(ObjectId object) const { return parts_->objects.contains(object); }
 std::string Scene::fault(ObjectId object) const { return parts_->objects.fault(object); }
 
 OccluderId Scene::add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement, const OccluderOptions& options) {
   parts_->require_drawn(options);
-  return parts_->occluders.add(std::move(mesh), placement, options);
+  const OccluderId id = parts_->occluders.add(std::move(mesh), placement, options);
+  parts_->note_drawing(options);
+  return id;
 }
 void Scene::add(const std::shared_ptr<const OccluderMesh>& mesh, std::span<const Placement> placements,
                 const OccluderOptions& options, std::span<OccluderId> ids) {
   parts_->require_drawn(options);
   parts_->occluders.add(mesh, placements, options, ids);
+  parts_->note_drawing(options);
 }
 void Scene::remove(OccluderId occluder) { parts_->occluders.remove(occluder); }
 void Scene::remove(std::span<const OccluderId> occluders) { parts_->occluders.remove(occluders); }
@@ -148,7 +206,8 @@ std::string Scene::fault(OccluderId occluder) const { return parts_->occluders.f
 void Scene::update(const Executor& executor) {
   parts_->edition = new_edition();
   parts_->objects.update(executor);
-  parts_->occluders.update();
+  const bool has_lost = parts_->occluders.update();
+  if (std::exchange(parts_->has_lost, false) || has_lost) parts_->standing = new_edition();
 }
 
 const SceneResult& Scene::cull(const Camera& camera, const SceneOptions& options, SceneView& view) const {
@@ -156,6 +215,22 @@ const SceneResult& Scene::cull(const Camera& camera, const SceneOptions& options
 }
 const SceneResult& Scene::cull(const MatrixCamera& camera, const SceneOptions& options, SceneView& view) const {
   return cull_any(*parts_, camera, options, view);
+}
+
+bool Scene::holds(const SceneView& held, const Camera& camera, const SceneOptions& options) const {
+  return holds_any(*parts_, held, camera, options);
+}
+bool Scene::holds(const SceneView& held, const MatrixCamera& camera, const SceneOptions& options) const {
+  return holds_any(*parts_, held, camera, options);
+}
+
+const SceneResult& Scene::cull(const Camera& camera, const SceneOptions& options, const SceneView& held,
+                               SceneView& view) const {
+  return cull_held_any(*parts_, camera, options, held, view);
+}
+const SceneResult& Scene::cull(const MatrixCamera& camera, const SceneOptions& options, const SceneView& held,
+                               SceneView& view) const {
+  return cull_held_any(*parts_, camera, options, held, view);
 }
 
 std::vector<ObjectFate> Scene::why(const Camera& camera, const SceneOptions& options, const SceneView& view,

@@ -84,20 +84,25 @@ class SceneFrame {
 
  public:
   SceneFrame(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
-             SceneView::Memory& memory)
+             SceneView::Memory& memory, const CoverBuffer& hiding)
       : objects_(objects),
         occluders_(occluders),
         options_(options),
         memory_(memory),
         stats_(memory.result.stats),
         buffer_(memory.cover.buffer),
+        hiding_(hiding),
         painter_(memory.view, options.cover, options.margin, memory.cover, stats_.work),
-        asking_(options, planes_, buffer_, {}) {}
+        asking_(options, planes_, hiding_, buffer_, {}) {}
+  /// What the frame itself draws into its picture hides.
+  SceneFrame(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+             SceneView::Memory& memory)
+      : SceneFrame(objects, occluders, options, memory, memory.cover.buffer) {}
 
   /// What is seen of the occluders closes pixels. joined(painter, occluder) is called after each group that is drawn.
   template <class Joined>
   void draw_occluders(const Joined& joined) {
-    for (const SceneOccluders::Forest& forest : occluders_.forests()) {
+    for (const SceneOccluders::Forest& forest : occluders_.forests().first(options_.is_to_be_held ? 1 : 2)) {
       const auto see = [&](const ItemRange& item, std::uint32_t straddled_planes, float) {
         draw(forest.occluders[item.first], straddled_planes, joined);
       };
@@ -153,6 +158,7 @@ class SceneFrame {
   [[nodiscard]] bool takes_part(const SceneOccluders::Standing& occluder) const {
     if ((occluder.mask & options_.mask) == 0) return false;
     if (occluder.object.is_none()) return true;
+    if (options_.is_to_be_held && options_.least_size > 0) return false;
     const auto object = objects_.seen(occluder.object);
     if (!object || (object->mask & options_.mask) == 0) return false;
     return object->group == nullptr || !(asking_.size_of(object->group->outer(object->index)) < options_.least_size);
@@ -191,7 +197,7 @@ class SceneFrame {
   }
 
   [[nodiscard]] ObjectListing listing(std::size_t first, std::size_t objects) {
-    return {options_, planes_, buffer_, std::span(memory_.room.get(), memory_.room_size).subspan(first, objects)};
+    return {options_, planes_, hiding_, buffer_, std::span(memory_.room.get(), memory_.room_size).subspan(first, objects)};
   }
 
   /// The groups of a scene, for a descent of their tree.
@@ -231,7 +237,7 @@ class SceneFrame {
     memory_.groups.clear();
     memory_.groups.reserve(std::bit_ceil(objects_.groups().size()));
     Groups groups(*this, listing);
-    CoverDescent(objects_.groups().tree(), buffer_, listing.stats().work, groups).run(planes_.all());
+    CoverDescent(objects_.groups().tree(), hiding_, listing.stats().work, groups).run(planes_.all());
   }
 
   static void prefetch(const ObjectGroup& group) { group.tree().tree().prefetch(0); }
@@ -309,7 +315,8 @@ class SceneFrame {
   const SceneOptions& options_;
   SceneView::Memory& memory_;
   SceneStats& stats_;
-  const CoverBuffer& buffer_;
+  const CoverBuffer& buffer_;  ///< of the frame
+  const CoverBuffer& hiding_;  ///< in which objects are hidden: the same, or one that is held
   CoverPainter painter_;
   ViewPlanes planes_{memory_.planes, kernel::Arithmetic::certified};
   ObjectListing asking_;  ///< which lists nothing
@@ -393,6 +400,16 @@ void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, co
   begin_frame(memory);
   SceneFrame frame(objects, occluders, options, memory);
   frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
+  frame.list_objects();
+}
+
+/// Its own picture is for nothing but the sizes of objects, and so as small as pictures are.
+void cull_scene_held(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+                     const CoverBuffer& held, SceneView::Memory& memory) {
+  begin_frame(memory);
+  SceneOptions own = options;
+  own.cover.width = own.cover.height = kLeastCoverSide;
+  SceneFrame frame(objects, occluders, own, memory, held);
   frame.list_objects();
 }
 

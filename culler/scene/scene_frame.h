@@ -37,6 +37,10 @@ struct SceneView::Memory {
   SceneResult result;
   FrameView view;             ///< of the last frame
   std::uint64_t edition = 0;  ///< of the scene that it shows; 0 before the first
+  /// Of a frame that others may be held against: Scene::Parts::standing, and what decides which occluders took part.
+  std::uint64_t standing = 0;
+  std::uint32_t mask = 0;
+  float least_size = 0;
   CoverMemory cover;
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;
@@ -55,6 +59,10 @@ struct SceneView::Memory {
 /// Fills memory.result for memory.view. REQUIRES: the view reaches as far as the scene.
 void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
                 SceneView::Memory& memory);
+
+/// The same with what hides in the buffer. REQUIRES: also, the buffer's view reaches as far as the scene.
+void cull_scene_held(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+                     const CoverBuffer& held, SceneView::Memory& memory);
 
 /// What becomes of these objects in a frame. REQUIRES: as above; no budget of time.
 [[nodiscard]] std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders,

@@ -57,7 +57,7 @@ void SceneOccluders::add(const std::shared_ptr<const OccluderMesh>& mesh, std::s
 void SceneOccluders::remove(OccluderId id) {
   Placed& occluder = slots_[id];
   retired_.push_back(std::move(occluder.mesh));
-  changed(occluder);
+  lost(occluder);
   slots_.remove(id);
 }
 
@@ -72,7 +72,7 @@ void SceneOccluders::move(OccluderId id, const Placement& placement) {
   Placed& occluder = slots_[id];
   require_placeable(occluder.mesh.get(), placement);
   occluder.placement = placement;
-  changed(occluder);
+  lost(occluder);
 }
 
 void SceneOccluders::move(std::span<const OccluderId> ids, std::span<const Placement> placements) {
@@ -86,27 +86,28 @@ void SceneOccluders::replace(OccluderId id, std::shared_ptr<const OccluderMesh> 
   require_placeable(mesh.get(), occluder.placement);
   retired_.push_back(std::move(occluder.mesh));
   occluder.mesh = std::move(mesh);
-  changed(occluder);
+  lost(occluder);
 }
 
 void SceneOccluders::set_enabled(OccluderId id, bool is_enabled) {
   Placed& occluder = slots_[id];
   occluder.is_enabled = is_enabled;
-  changed(occluder);
+  lost(occluder);
 }
 
 void SceneOccluders::set_mask(OccluderId id, std::uint32_t mask) {
   Placed& occluder = slots_[id];
   occluder.options.mask = mask;
-  changed(occluder);
+  lost(occluder);
 }
 
-void SceneOccluders::update() {
+bool SceneOccluders::update() {
   for (std::size_t forest = 0; forest < forests_.size(); ++forest) {
     if (has_changed_[forest]) build(forest);
   }
   has_changed_ = {};
   retired_.clear();
+  return std::exchange(has_lost_, false);
 }
 
 void SceneOccluders::build(std::size_t forest) {

@@ -39,7 +39,8 @@ class SceneOccluders {
   [[nodiscard]] std::string fault(OccluderId id) const { return slots_.fault(id); }
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
 
-  void update();
+  /// Returns whether something that stands still hides no longer as it did.
+  bool update();
 
   /// An occluder as views see it.
   struct Standing {
@@ -70,11 +71,17 @@ class SceneOccluders {
   };
 
   void changed(const Placed& occluder) { has_changed_[occluder.options.moves ? 1 : 0] = true; }
+  /// Also, it may hide less than before.
+  void lost(const Placed& occluder) {
+    changed(occluder);
+    has_lost_ = has_lost_ || !occluder.options.moves;
+  }
   void build(std::size_t forest);
 
   Slots<OccluderId, Placed> slots_;
   std::vector<std::shared_ptr<const OccluderMesh>> retired_;  ///< which views may still see
   std::array<bool, 2> has_changed_{};
+  bool has_lost_ = false;
 
   std::array<Forest, 2> forests_;
   /// The occluders of a forest that is being built, in any order.

@@ -85,6 +85,9 @@ struct SceneOptions {
   float least_size = 0;
   /// Whether the objects to draw are listed from front to back. This takes time n log n.
   bool is_front_to_back = false;
+  /// Whether only occluders hide that stand still (OccluderOptions::moves), for a frame that later ones are held against.
+  /// With a `least_size` those that an object draws hide nothing either: seen from elsewhere it may be too small.
+  bool is_to_be_held = false;
   /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
   /// result is the same, and so is the order of the list. What it throws is thrown on, and all objects that take part are
   /// drawn then.
@@ -281,6 +284,23 @@ class Scene {
   /// fault(); the view then keeps its last frame.
   const SceneResult& cull(const Camera& camera, const SceneOptions& options, SceneView& view) const;
   const SceneResult& cull(const MatrixCamera& camera, const SceneOptions& options, SceneView& view) const;
+
+  /// Whether frames of this camera can be held against the last frame of `held`:
+  /// 1. that frame holds for the camera (SceneView::holds_for()), and SceneOptions::is_to_be_held was set;
+  /// 2. `options` have its mask and least_size;
+  /// 3. no update() since then has removed, moved, replaced, disabled or masked anew an occluder that stands still, or
+  ///    removed, disabled or masked anew an object that draws an occluder;
+  /// 4. the scene reaches no farther from its eye than twice as far as then.
+  /// Throws as cull().
+  [[nodiscard]] bool holds(const SceneView& held, const Camera& camera, const SceneOptions& options) const;
+  [[nodiscard]] bool holds(const SceneView& held, const MatrixCamera& camera, const SceneOptions& options) const;
+  /// A frame in which nothing is drawn into a coarse picture: what hid in the last frame of `held` hides. Each object is
+  /// asked where it is now, so that objects may come, go and move. Occluders that move hide nothing, and new ones not yet.
+  /// Otherwise as cull(), but nothing is known of why() and no witness appended for such a frame, and in it
+  /// SceneView::visibility() knows of no occluder. Throws std::invalid_argument unless holds().
+  const SceneResult& cull(const Camera& camera, const SceneOptions& options, const SceneView& held, SceneView& view) const;
+  const SceneResult& cull(const MatrixCamera& camera, const SceneOptions& options, const SceneView& held,
+                          SceneView& view) const;
 
   /// What became of these objects, all of them in the scene, in the last frame of the view. REQUIRES, not checked: `camera`
   /// and `options` are those of that frame. Takes the time of some frames, and allocates. Throws as cull(), and
