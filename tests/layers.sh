@@ -76,7 +76,7 @@ cover: base model camera descent
 scene: base model camera descent cover
 inner: base model frusta
 frame: base model camera descent frusta cover
-held: base model camera descent frame
+held: base model camera descent scene frame
 store: base model frusta cover frame
 '
 {

@@ -2,6 +2,8 @@
 #include "occlude/culler/scene.h"
 
 #include <atomic>
+#include <mutex>
+#include <shared_mutex>
 #include <stdexcept>
 #include <string>
 #include <unordered_set>
@@ -11,6 +13,7 @@
 #include "camera/holds_for.h"
 #include "camera/sound_camera.h"
 #include "cover/asked_box.h"
+#include "scene/scene_access.h"
 #include "scene/scene_frame.h"
 #include "scene/scene_number.h"
 #include "scene/scene_objects.h"
@@ -133,6 +136,7 @@ struct Scene::Parts {
   std::uint64_t standing = new_edition();
   std::unordered_set<std::uint64_t> drawing;  ///< numbers of objects that draw occluders
   bool has_lost = false;                      ///< one of them no longer does in all frames
+  std::shared_mutex seen;                     ///< shared by frames that are culled whenever there is time
 
   void change(ObjectId object) { has_lost = has_lost || drawing.contains(object.number()); }
   void remove(ObjectId object) { has_lost = drawing.erase(object.number()) > 0 || has_lost; }
@@ -203,7 +207,12 @@ void Scene::set_mask(OccluderId occluder, std::uint32_t mask) { parts_->occluder
 bool Scene::contains(OccluderId occluder) const { return parts_->occluders.contains(occluder); }
 std::string Scene::fault(OccluderId occluder) const { return parts_->occluders.fault(occluder); }
 
+std::shared_lock<std::shared_mutex> SceneAccess::keep_from_updates(const Scene& scene) {
+  return std::shared_lock(scene.parts_->seen);
+}
+
 void Scene::update(const Executor& executor) {
+  const std::unique_lock alone(parts_->seen);
   parts_->edition = new_edition();
   parts_->objects.update(executor);
   const bool has_lost = parts_->occluders.update();

@@ -4,20 +4,25 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <memory>
 #include <random>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "frames.h"
 #include "model/bounds.h"
+#include "occlude/culler/held_cull.h"
 #include "occlude/culler/scene.h"
 #include "scenes.h"
 #include "seen_by_rays.h"
+#include "wanderers.h"
 
 namespace held_scene_test {
 
@@ -232,6 +237,55 @@ TEST(HeldScenes, NothingThatIsSeenIsLeftOut) {
   if (std::getenv("OCCLUDE_HELD_FRAMES") != nullptr) {
     std::cout << of_held << " frames held, " << of_point << " by point, " << rays << " rays, " << hidden << " hidden\n";
   }
+}
+
+/// The same with regions as HeldSceneCull wants them, and answers that come when they come.
+TEST(HeldSceneCull, NothingThatIsSeenIsLeftOut) {
+  std::mt19937 random(seed_of(5632));
+  Town town(random);
+  Delays delays;
+  HeldSceneCull held(
+      town.scene, {.cull = kHow, .later = delays.later([&] { return random() % 4 == 0 ? uniform(random, 0, 0.5) : 0.01; })});
+  Wanderer wanderer(random);
+  unsigned rays = 0;
+  const unsigned frames = frames_wanted();
+  for (unsigned frame = 0; frame < frames; ++frame) {
+    const double now = frame / 60.0;
+    delays.pass_until(now);
+    town.change();
+    const Camera camera = wanderer.after(1 / 60.0);
+    const SceneResult& result = frame % 7 == 3 ? held.cull(matrix_of(camera), now) : held.cull(camera, now);
+    rays += town.expect_hidden(result, camera);
+    if (HasFailure()) FAIL() << "frame " << frame;
+  }
+  const HeldStats& stats = held.stats();
+  EXPECT_EQ(stats.frames, frames);
+  EXPECT_GT(rays, frames);
+  EXPECT_LT(stats.of_point, frames - frames / 10);
+  EXPECT_GT(stats.regions, frames / 200);
+  if (std::getenv("OCCLUDE_HELD_FRAMES") != nullptr) {
+    std::cout << stats.of_point << " frames by point, " << stats.regions << " regions, " << stats.late << " late, " << rays
+              << " rays\n";
+  }
+}
+
+/// On real threads, while the scene is updated.
+TEST(HeldSceneCull, UpdatesWaitForRegions) {
+  std::mt19937 random(seed_of(5633));
+  Town town(random);
+  std::vector<std::thread> threads;
+  HeldSceneCull held(town.scene,
+                     {.cull = kHow, .later = [&](std::function<void()> task) { threads.emplace_back(std::move(task)); }});
+  unsigned held_frames = 0;
+  for (unsigned frame = 0; frame < 200; ++frame) {
+    town.change();
+    Camera camera{.eye = {0.01 * frame, 0, 1.7}, .target = {1 + 0.01 * frame, 0, 1.7}, .near_plane = 0.05};
+    town.expect_hidden(held.cull(camera, frame / 60.0), camera);
+    held_frames += held.is_of_point() ? 0 : 1;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  EXPECT_GT(held_frames, 0U);
+  for (std::thread& thread : threads) thread.join();
 }
 
 /// A wall that stands or moves, perhaps drawn by an object, and something behind it.

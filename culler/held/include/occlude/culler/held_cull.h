@@ -12,6 +12,7 @@
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/culler/scene.h"
 
 namespace occlude::culler {
 
@@ -75,6 +76,42 @@ class HeldCull {
   const HeldResult& cull(const Camera& camera, double seconds);
   const HeldResult& cull(const MatrixCamera& camera, double seconds);
 
+  [[nodiscard]] const HeldStats& stats() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// As HeldOptions.
+struct HeldSceneOptions {
+  SceneOptions cull = {};
+  AheadOptions way = {.turn_degrees = 2};
+  Later later = {};
+  bool is_repeatable = false;
+};
+
+/// The same for a scene, with what differs:
+/// 1. A frame is one that is held against the region's (Scene::cull() with `held`): each object is asked in each frame where
+///    it is then, so that objects may come, go and move. Occluders that move (OccluderOptions::moves) hide in frames by
+///    point alone. Where one that stands still is changed, regions that were culled before hold no longer, as Scene::holds()
+///    says; new ones hide in the next region.
+/// 2. Scene::update() waits while a region is being culled, as long as a few frames take.
+/// 3. While the camera turns fast, frames are culled by point.
+class HeldSceneCull {
+ public:
+  /// REQUIRES: the scene outlives this, and is not moved.
+  explicit HeldSceneCull(const Scene& scene, HeldSceneOptions options = {});
+  ~HeldSceneCull();
+  HeldSceneCull(HeldSceneCull&&) noexcept;
+  HeldSceneCull& operator=(HeldSceneCull&&) noexcept;
+
+  /// As HeldCull::cull(). Throws as Scene::cull().
+  const SceneResult& cull(const Camera& camera, double seconds);
+  const SceneResult& cull(const MatrixCamera& camera, double seconds);
+
+  /// Whether the last frame was culled for itself alone.
+  [[nodiscard]] bool is_of_point() const;
   [[nodiscard]] const HeldStats& stats() const;
 
  private:

@@ -326,6 +326,8 @@ class Scene {
   [[nodiscard]] std::size_t object_bytes() const;
 
  private:
+  friend struct SceneAccess;  // scene/scene_access.h
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
