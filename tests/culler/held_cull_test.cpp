@@ -235,6 +235,24 @@ TEST(HeldRegions, AllAround) {
   }
 }
 
+/// No point of a near plane is farther.
+TEST(HeldRegions, NearPlanesFromAnyDirection) {
+  std::mt19937 random(seed_of(5623));
+  for (int k = 0; k < 1000; ++k) {
+    Camera camera = random_camera(random);
+    camera.projection = Projection::perspective;
+    camera.fov_y_deg = uniform(random, 10, 150);
+    const auto near = near_around(camera, 10), of_matrix = near_around(matrix_of(camera), 10);
+    ASSERT_TRUE(near && of_matrix);
+    const Picture picture(camera);
+    const Vector corner = picture.corner(3, picture.near);
+    ASSERT_GE(*near, std::sqrt(dot(corner, corner)));
+    ASSERT_GE(*of_matrix, std::sqrt(dot(corner, corner)));
+    ASSERT_LE(*near, 1.001L * std::sqrt(dot(corner, corner)));
+  }
+  EXPECT_FALSE(near_around(Camera{.projection = Projection::orthographic}, 10));
+}
+
 TEST(Motions, JumpsCountForNothing) {
   Motion motion;
   motion.see({0, 0, 0}, {1, 0, 0}, 0);
