@@ -151,6 +151,8 @@ CoverBuffer::Footprint CoverBuffer::footprint(const BoxPixels& boxes, std::size_
 }
 
 float CoverBuffer::seen_size(const ProjectedBoxes& boxes, std::size_t i) const {
+  // From another eye the box may look larger.
+  if (is_of_region()) return std::numeric_limits<float>::infinity();
   if (boxes.most[i] == std::numeric_limits<float>::infinity()) return boxes.most[i];
   const double right = double{boxes.high_x[i]} - double{boxes.low_x[i]},
                up = double{boxes.high_y[i]} - double{boxes.low_y[i]};

@@ -63,7 +63,7 @@ class CoverBuffer {
   [[nodiscard]] Footprint footprint(const BoxPixels& boxes, std::size_t i) const;
   [[nodiscard]] const BoxPicture& box_picture() const { return boxes_; }
   /// No less than the width and the height of box i in the picture, as a share of the height of the camera's picture;
-  /// infinity if its position is unknown.
+  /// infinity if its position is unknown, or the picture is of several eyes.
   [[nodiscard]] float seen_size(const ProjectedBoxes& boxes, std::size_t i) const;
 
   /// True only if each point of the box has a point of one of the meshes, beyond the near plane, strictly between it and the
