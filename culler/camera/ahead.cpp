@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/ahead.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,6 +10,7 @@
 #include "camera/extent.h"
 #include "camera/frame_view.h"
 #include "camera/sound_camera.h"
+#include "occlude/culler/camera.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {
@@ -22,7 +21,7 @@ constexpr double kWider = 1 + 0x1p-40;
 /// A near plane is so much farther, for what a renderer in single precision misjudges it by. That is a part of the depth of
 /// the model, which is not known here, and turns with the camera: holds_for.cpp. With a near plane at a distance of .1 it is
 /// enough for a model of 10,000.
-constexpr double kFartherNear = 1 + 1.0 / 64;
+constexpr double kBeyondNear = 1 + 1.0 / 64;
 /// Tangents of the widest opening that a camera may have, nearly 179 degrees.
 constexpr double kWidest = 114;
 
@@ -51,7 +50,7 @@ Picture turned(const Picture& picture, double turn) {
   const double longest = std::sqrt(1 + across);
   const double along = turn < std::acos(1 / longest) ? std::cos(turn) + std::sqrt(across) * sine : longest;
   const double farther = kWider * std::max(along, 1.0);
-  return {widened(picture.width), widened(picture.height), kFartherNear * farther * picture.near, farther * picture.far};
+  return {widened(picture.width), widened(picture.height), kBeyondNear * farther * picture.near, farther * picture.far};
 }
 
 glm::dvec3 flushed(const glm::dvec3& v) { return {kernel::flushed(v.x), kernel::flushed(v.y), kernel::flushed(v.z)}; }

@@ -57,7 +57,7 @@ struct Rounded {
 
 /// det(a, b, c). The products of two coordinates and the sums round by four 2^-53 of their terms, c by one. Nothing is lost
 /// where all terms are 0.
-Rounded determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+Rounded rounded_determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 x = glm::abs(a), y = glm::abs(b);
   const glm::dvec3 terms{x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x};
   return {glm::dot(glm::cross(a, b), c), 0x1p-49 * glm::dot(terms, glm::abs(c))};
@@ -71,12 +71,12 @@ bool contains(const EyeRegion& eyes, const glm::dvec3& d, double error) {
   if (d == glm::dvec3(0) && error == 0) return true;
   if (eyes.radius > 0) return glm::length(d) * (1 + 0x1p-50) + error <= eyes.radius;
   const auto& [edges, count] = Edges(eyes.half_edges);
-  const Rounded volume = determinant(edges[0], edges[1], edges[2]);
+  const Rounded volume = rounded_determinant(edges[0], edges[1], edges[2]);
   const double least = std::fabs(volume.value) - volume.error;
   if (count == 0 || !(least > 0)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 &a = edges[(i + 1) % 3], &b = edges[(i + 2) % 3];
-    const Rounded part = determinant(a, b, d);
+    const Rounded part = rounded_determinant(a, b, d);
     const double moved = error == 0 ? 0 : (1 + 0x1p-48) * error * glm::length(a) * glm::length(b);
     const double limit = static_cast<int>(i) < count ? (1 - 0x1p-50) * least : 0;
     if (!(std::fabs(part.value) + part.error + moved <= limit)) return false;

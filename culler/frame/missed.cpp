@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/missed.h"
-
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -15,6 +13,7 @@
 #include "frame/frame_cover.h"
 #include "frusta/plane_work.h"
 #include "model/bounds.h"
+#include "occlude/culler/culler.h"
 #include "occlude/kernel/half_space.h"
 
 namespace occlude::culler {

@@ -20,7 +20,7 @@
 #include "held/held_region.h"
 #include "held/lease.h"
 #include "held/motion.h"
-#include "occlude/culler/ahead.h"
+#include "occlude/culler/camera.h"
 #include "occlude/culler/held_cull.h"
 
 namespace occlude::culler {

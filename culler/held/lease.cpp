@@ -10,7 +10,7 @@ namespace {
 constexpr double kShortest = 1.0 / 8, kLongest = 4;
 /// A region that hides so much of what a frame by point does could be longer, or should be shorter. Where a short one hides
 /// less than half, drawing the rest takes longer than culling.
-constexpr double kAll = 0.97, kMost = 0.9, kHalf = 0.5;
+constexpr double kNearlyAll = 0.97, kMuch = 0.9, kHalf = 0.5;
 constexpr double kLongestRest = 8;
 
 }  // namespace
@@ -18,8 +18,8 @@ constexpr double kLongestRest = 8;
 void Lease::hid(double share, double now) {
   const double before = seconds_;
   if (share >= kHalf && !lost_) rest_ = kShortestRest;
-  if (share >= kAll) seconds_ = std::min(2 * seconds_, kLongest);
-  if (share < kMost) seconds_ = std::max(seconds_ / 2, kShortest);
+  if (share >= kNearlyAll) seconds_ = std::min(2 * seconds_, kLongest);
+  if (share < kMuch) seconds_ = std::max(seconds_ / 2, kShortest);
   has_changed_ = seconds_ != before;
   if (share < kHalf && !has_changed_) rest(now);
 }

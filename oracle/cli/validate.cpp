@@ -21,7 +21,7 @@
 #include "culling.h"
 #include "failures.h"
 #include "item_buffers.h"
-#include "occlude/culler/missed.h"
+#include "occlude/culler/culler.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"

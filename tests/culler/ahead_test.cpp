@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Cameras whose frames hold for the way ahead.
-#include "occlude/culler/ahead.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,6 +15,7 @@
 #include "camera/frame_view.h"
 #include "camera/holds_for.h"
 #include "frames.h"
+#include "occlude/culler/camera.h"
 #include "scenes.h"
 
 namespace ahead_test {

@@ -20,7 +20,6 @@
 #include "model/hierarchy_blocks.h"
 #include "model/outer_box.h"
 #include "occlude/culler/culler.h"
-#include "occlude/culler/missed.h"
 #include "only_target.h"
 #include "scenes.h"
 

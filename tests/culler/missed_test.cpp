@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/missed.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-#include "occlude/culler/ahead.h"
 #include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/culler.h"

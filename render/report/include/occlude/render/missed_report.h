@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 
-#include "occlude/culler/missed.h"
+#include "occlude/culler/culler.h"
 
 namespace occlude::render {
 

@@ -14,7 +14,6 @@
 
 #include "frusta/potential_occluders.h"
 #include "occlude/culler/culler.h"
-#include "occlude/culler/missed.h"
 #include "occlude/kernel/operations.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/image.h"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "occlude/culler/culler.h"
-#include "occlude/culler/missed.h"
 #include "occlude/kernel/clearance.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/image.h"
