@@ -261,7 +261,7 @@ TEST(HeldSceneCull, NothingThatIsSeenIsLeftOut) {
   const HeldStats& stats = held.stats();
   EXPECT_EQ(stats.frames, frames);
   EXPECT_GT(rays, frames);
-  EXPECT_LT(stats.of_point, frames - frames / 10);
+  EXPECT_LT(stats.of_point, frames - frames / 50) << "what stands changes so often that few frames are held";
   EXPECT_GT(stats.regions, frames / 200);
   if (std::getenv("OCCLUDE_HELD_FRAMES") != nullptr) {
     std::cout << stats.of_point << " frames by point, " << stats.regions << " regions, " << stats.late << " late, " << rays
