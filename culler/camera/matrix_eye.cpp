@@ -9,6 +9,7 @@
 
 #include "camera/eye_region.h"
 #include "camera/legal_half_space.h"
+#include "camera/legal_numbers.h"
 #include "camera/negligible.h"
 #include "camera/single_precision.h"
 #include "model/bounds.h"
@@ -82,8 +83,6 @@ double distance_bound(const std::array<MatrixRow, 3>& rows, const Basis& basis, 
   return kErrorRounded * bound;
 }
 
-bool is_legal_eye(const glm::dvec3& v) { return kernel::check(to_kernel(v)) == kernel::Refusal::none; }
-
 }  // namespace
 
 double MatrixRow::error_at(const glm::dvec3& p) const {
@@ -119,7 +118,7 @@ std::string_view MatrixEye::find_perspective() {
   if (std::min({of_x, of_y, of_w}) < kLeastLength || basis.is_singular()) return "the matrix is singular: it has no eye";
   const std::array<MatrixRow, 3> rows{x_, y_, w_};
   eye_ = meeting_point(rows, basis);
-  if (!is_legal_eye(eye_)) return "the eye is out of range";
+  if (!is_legal(eye_)) return "the eye is out of range";
   eye_error_ = distance_bound(rows, basis, eye_);
   axes_ = {x_.normal / of_x, y_.normal / of_y, without_negligible(w_.normal / of_w)};
   half_width_ = of_w / of_x;
@@ -154,7 +153,7 @@ std::string_view MatrixEye::find_parallel(Nearer nearer) {
   MatrixRow depth = z_;
   depth.constant -= is_reversed_ ? w_.constant : depth_ == ClipDepth::zero_to_w ? 0 : -w_.constant;
   eye_ = meeting_point({x_, y_, depth}, basis);
-  if (!is_legal_eye(eye_)) return "the eye is out of range";
+  if (!is_legal(eye_)) return "the eye is out of range";
   half_width_ = w_.constant / of_x;
   half_height_ = w_.constant / of_y;
   height_ = 2 * half_height_;

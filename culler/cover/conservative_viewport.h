@@ -149,6 +149,7 @@ class ConservativeViewport {
   /// Where the edge may be, from any of the eyes.
   [[nodiscard]] SweptEdge swept(const MovingEdge& edge, const BoundedPosition& from, const BoundedPosition& to,
                                 double focus) const;
+
   /// Bounds the error of every position of an edge that may be in the picture, wherever the edge exactly is. At most the
   /// larger error of its ends. It is less where the edge leaves the picture towards an end that is near the eye.
   [[nodiscard]] double edge_error(const BoundedPosition& a, const BoundedPosition& b) const {

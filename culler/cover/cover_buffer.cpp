@@ -167,7 +167,7 @@ CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
   const Footprint footprint = this->footprint(boxes, 0);
   if (!footprint.is_in_picture) return Gap::beyond_picture;
   const TilePicture layer = tile_picture().from(footprint.first_tile);
-  const float never = boxes_.layers.start(static_cast<std::size_t>(footprint.first_tile / boxes_.tiles_of_layer));
+  const float never = boxes_.layers.start(layer_of(footprint));
   return open_pixels(layer, footprint.pixels, std::max(never, std::numeric_limits<float>::lowest()), 1) > 0
              ? Gap::open
              : Gap::not_behind;
@@ -187,7 +187,7 @@ CoverBuffer::Footprint CoverBuffer::hidden_at(const kernel::Aabb& box) const {
 /// By itself, the box may ask other layers.
 CoverBuffer::Footprint CoverBuffer::within(const Footprint& whole, const kernel::Aabb& box) const {
   BoxPicture of_layer = boxes_;
-  of_layer.layers.focus[0] = boxes_.layers.focus[static_cast<std::size_t>(whole.first_tile / boxes_.tiles_of_layer)];
+  of_layer.layers.focus[0] = boxes_.layers.focus[layer_of(whole)];
   of_layer.layers.count = 1;
   ProjectedBoxes boxes;
   boxes.add(of_layer, box);
@@ -200,7 +200,7 @@ CoverBuffer::Footprint CoverBuffer::within(const Footprint& whole, const kernel:
 
 /// Runs of pixels in rows, of which those that lie above each other are one window.
 CoverBuffer::Windows CoverBuffer::windows(const Footprint& at) const {
-  Windows found{boxes_.layers.focus[static_cast<std::size_t>(at.first_tile / boxes_.tiles_of_layer)], {}};
+  Windows found{boxes_.layers.focus[layer_of(at)], {}};
   const PixelRectangle& r = at.pixels;
   const auto add = [&](const Window& run) {
     const auto below = std::ranges::find_if(found.windows, [&](const Window& w) {
@@ -222,13 +222,8 @@ CoverBuffer::Windows CoverBuffer::windows(const Footprint& at) const {
 
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
   const ProjectedBoxes boxes = seen(box);
-  const bool is_of_nearer_layer = is_of_region() && !hides(footprint(boxes, 0));
-  const Footprint at = footprint(is_of_nearer_layer ? boxes.nearer_layer : boxes, 0);
-  const PixelRectangle& r = at.pixels;
-  // Of several eyes, the margin is not told from what they move the box by.
-  const PixelPosition low = is_of_region() ? PixelPosition{0, 0} : PixelPosition{boxes.low_x[0], boxes.low_y[0]};
-  const PixelPosition high =
-      is_of_region() ? PixelPosition{boxes_.width, boxes_.height} : PixelPosition{boxes.high_x[0], boxes.high_y[0]};
+  const PixelPosition low{boxes.low_x[0], boxes.low_y[0]}, high{boxes.high_x[0], boxes.high_y[0]};
+  const PixelRectangle r = footprint(boxes, 0).pixels;
   std::vector<Owner> runs;
   for (int y = r.y0; y < r.y1; ++y) {
     std::uint32_t last = kNone;

@@ -95,7 +95,8 @@ class CoverBuffer {
     std::uint32_t id;
     PixelBounds places;
   };
-  /// In ascending order of ids. REQUIRES: keep_owners() was called before what hides the box was added; hides(box).
+  /// In ascending order of ids. REQUIRES: keep_owners() was called before what hides the box was added; hides(box); the
+  /// picture is of one eye.
   [[nodiscard]] std::vector<Owner> owners(const kernel::Aabb& box) const;
 
   /// A sheet that was drawn into a picture of several eyes: triangles of a mesh.
@@ -116,7 +117,8 @@ class CoverBuffer {
   [[nodiscard]] Footprint hidden_at(const kernel::Aabb& box) const;
   /// The footprint, in the same layer, of a box that lies in one of this footprint.
   [[nodiscard]] Footprint within(const Footprint& whole, const kernel::Aabb& box) const;
-  /// Windows that have all pixels of a footprint in which a box is hidden. REQUIRES: as owners().
+  /// Windows that have all pixels of a footprint in which a box is hidden. REQUIRES: keep_owners() was called before what
+  /// hides it was added; the picture is of several eyes.
   [[nodiscard]] Windows windows(const Footprint& at) const;
   [[nodiscard]] const DrawnSheet& sheet(std::uint32_t i) const { return sheets_[i]; }
 
@@ -144,6 +146,9 @@ class CoverBuffer {
 
   [[nodiscard]] ProjectedBoxes seen(const kernel::Aabb& box) const;
   [[nodiscard]] std::uint32_t owner(int first_tile, int x, int y) const;
+  [[nodiscard]] std::size_t layer_of(const Footprint& box) const {
+    return static_cast<std::size_t>(box.first_tile / boxes_.tiles_of_layer);
+  }
 
   ConservativeViewport picture_;
   PixelPosition share_of_pixel_;  ///< the width and the height of a pixel, as shares of the height of the camera's picture

@@ -87,18 +87,16 @@ HWY_INLINE void store_pixels(const BoxPicture& p, const Range& x, const Range& y
   hn::StoreU(hn::Add(pixel(hn::Add(y.high, wider_y), p.height), next), di, &boxes.y1[i]);
 }
 
-/// The layer whose focus is the farthest not beyond this nearness, as a number of it; and the next nearer one.
+/// Two layers and their numbers: the nearest whose focus is not nearer than a nearness, and the farthest whose focus is.
 struct Bracket {
   Lanes far_focus, near_focus, far_layer, near_layer;
 };
 
 HWY_INLINE Bracket bracket_of(const FocusLayers& layers, Lanes nearness) {
-  const Lanes first = hn::Set(kD, layers.focus[0]);
-  Bracket b{first, first, hn::Zero(kD), hn::Zero(kD)};
+  const std::size_t last = layers.count - 1;
+  Bracket b{hn::Set(kD, layers.focus[0]), hn::Set(kD, layers.focus[last]), hn::Zero(kD),
+            hn::Set(kD, static_cast<float>(last))};
   // From near to far, so that near_focus is the least that is nearer.
-  const Lanes last = hn::Set(kD, layers.focus[layers.count - 1]);
-  b.near_focus = last;
-  b.near_layer = hn::Set(kD, static_cast<float>(layers.count - 1));
   for (std::size_t k = layers.count; k-- > 0;) {
     const Lanes focus = hn::Set(kD, layers.focus[k]), layer = hn::Set(kD, static_cast<float>(k));
     const auto is_nearer = hn::Gt(focus, nearness);
@@ -211,23 +209,18 @@ HWY_INLINE void project_lanes(const BoxPicture& p, ProjectedBoxes& boxes, std::s
   hn::StoreU(high_x, kD, &boxes.high_x[i]);
   hn::StoreU(high_y, kD, &boxes.high_y[i]);
 
-  store_pixels(p, {low_x, high_x}, {low_y, high_y}, boxes, i);
-
   // False if one of them is NaN.
   const auto is_known = hn::And(hn::Gt(least, hn::Set(kD, p.near)), hn::Lt(error, hn::Set(kD, kMostError)));
   const Lanes nearness = is_perspective ? hn::Div(one, least) : hn::Neg(least);
   const Lanes most = hn::IfThenElse(is_known, larger_than(nearness, 0x1p-21F), infinity);
   hn::StoreU(most, kD, &boxes.most[i]);
-  if constexpr (is_perspective) {
-    if (p.is_of_region) {
-      const Bracket bracket = bracket_of(p.layers, most);
-      store_layer(p, right, up, forward, moved, error, bracket.far_focus, bracket.far_layer, boxes, i);
-      store_layer(p, right, up, forward, moved, error, bracket.near_focus, bracket.near_layer, boxes.nearer_layer, i);
-      hn::StoreU(most, kD, &boxes.nearer_layer.most[i]);
-      boxes.nearer_layer.size = boxes.size;
-    }
-  }
   hn::StoreU(is_perspective ? squared : nearest, kD, &boxes.distance[i]);
+  if (!is_perspective || !p.is_of_region) return store_pixels(p, {low_x, high_x}, {low_y, high_y}, boxes, i);
+  const Bracket bracket = bracket_of(p.layers, most);
+  store_layer(p, right, up, forward, moved, error, bracket.far_focus, bracket.far_layer, boxes, i);
+  store_layer(p, right, up, forward, moved, error, bracket.near_focus, bracket.near_layer, boxes.nearer_layer, i);
+  hn::StoreU(most, kD, &boxes.nearer_layer.most[i]);
+  boxes.nearer_layer.size = boxes.size;
 }
 
 HWY_INLINE void take(const BoxPicture& picture, const kernel::BoxBlock& block, ProjectedBoxes& boxes) {

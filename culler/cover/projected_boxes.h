@@ -46,7 +46,8 @@ class BoxPicture {
   bool is_of_region = false;
   std::array<std::array<float, 3>, 3> half_edges{};
   std::array<float, 3> right_of_ball{}, up_of_ball{};  ///< a, b, c of the square a + b x + c x^2 of how far the ball reaches
-  float eyes_forward = 0, eyes_reach = 0;              ///< how far along the line of sight, and as bounds the rounding
+  float eyes_forward = 0;                              ///< along the line of sight
+  float eyes_reach = 0;                                ///< bounds the terms that are added up for the others
   FocusLayers layers;
   std::int32_t tiles_of_layer = 0;
 };

@@ -37,7 +37,6 @@ class ProjectedPlane {
     [[nodiscard]] const PlaneBound* end() const { return of.data() + count; }
   };
 
-  ProjectedPlane() = default;
   /// Takes the corners as the picture sees them. `reach` bounds |x| + |y| of the rays (x, y, 1) of the picture. With
   /// parallel rays, it bounds how far from the eye they start, in the sum of the axes.
   ProjectedPlane(const ConservativeViewport& picture, double reach, const EyePoint& a, const EyePoint& b, const EyePoint& c)

@@ -93,7 +93,9 @@ void SheetRasteriser::project(const CoverMesh& mesh) {
 void SheetRasteriser::move() {
   moving_.resize(seen_.size());
   for (std::uint32_t i = 0; i < seen_.size(); ++i) {
-    if (!is_cut_ || !is_before(i)) moving_[i] = picture_.moving(seen_[i]);
+    if (is_cut_ && is_before(i)) continue;
+    moving_[i] = picture_.moving(seen_[i]);
+    vertices_[i].nearness = least_nearness(seen_[i]);
   }
   edges_.assign(3 * mesh_.triangles.size(), std::nullopt);
   planes_.assign(mesh_.triangles.size(), std::nullopt);
@@ -102,8 +104,7 @@ void SheetRasteriser::move() {
 void SheetRasteriser::focus(double focus) {
   focus_ = focus;
   for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
-    if (is_cut_ && is_before(i)) continue;
-    vertices_[i] = {moving_[i].at(focus), rounded_down(picture_.least_nearness(seen_[i].forward))};
+    if (!is_cut_ || !is_before(i)) vertices_[i].corner = moving_[i].at(focus);
   }
 }
 
@@ -172,8 +173,12 @@ void SheetRasteriser::draw(const PixelRectangle& tiles) {
   border_.find_closed(closed_);
 }
 
+float SheetRasteriser::least_nearness(const EyePoint& seen) const {
+  return rounded_down(picture_.least_nearness(seen.forward));
+}
+
 CoverVertex SheetRasteriser::vertex(const EyePoint& seen) const {
-  const float nearness = rounded_down(picture_.least_nearness(seen.forward));
+  const float nearness = least_nearness(seen);
   if (picture_.is_of_region()) return {picture_.moving(seen).at(focus_), nearness};
   const BoundedPosition corner = picture_.corner(seen);
   return {{corner, corner.place, corner.place}, nearness};

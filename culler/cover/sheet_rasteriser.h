@@ -72,6 +72,7 @@ class SheetRasteriser {
  private:
   [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
   [[nodiscard]] CoverVertex vertex(const EyePoint& seen) const;
+  [[nodiscard]] float least_nearness(const EyePoint& seen) const;
   [[nodiscard]] float nearness_from(double forward) const;
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
   [[nodiscard]] CoverVertex cut(std::uint32_t a, std::uint32_t b) const;
