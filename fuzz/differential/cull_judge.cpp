@@ -170,17 +170,11 @@ class CullJudge {
 
   /// Checks that the box is hidden from all eyes of the region, by windows.
   std::string fault_of_windows(const culler::CoverWitness& witness) const {
-    const oracle::Point middle = proof::viewpoint_of(camera_).value;
     const auto point = [](const dvec3& v) { return oracle::Point{v.x, v.y, v.z}; };
-    const auto& [a, b, c] = region().half_edges;
-    const oracle::EyeRegion eyes = region().radius > 0
-                                       ? oracle::EyeRegion(oracle::Ball{middle, region().radius})
-                                       : oracle::EyeRegion(oracle::Obb{middle, {point(a), point(b), point(c)}});
-    proof::AnyCamera of_one_eye = camera_;
-    std::visit([](auto& camera) { camera.eyes = {}; }, of_one_eye);
-    const oracle::HalfSpaceCoefficients drawn = proof::drawn(of_one_eye, model_, eyes);
+    const oracle::HalfSpaceCoefficients drawn = proof::drawn(camera_, model_);
     const auto& [at, normal, right] = witness.focus;
-    oracle::RegionWitness asked{eyes, to_oracle(witness.box), {{point(at), point(normal), point(right)}, {}}};
+    oracle::RegionWitness asked{
+        *proof::eyes_of(camera_), to_oracle(witness.box), {{point(at), point(normal), point(right)}, {}}};
     for (const culler::CoverWindow& w : witness.windows) {
       std::vector<oracle::Loop> sheet = loops(w.polygons);
       for (const auto& [p, corner] : w.triangles) {
@@ -201,13 +195,15 @@ class CullJudge {
       eyes.push_back(eyes[0]);
       for (int axis = 0; axis < 3; ++axis) eyes.back().value[static_cast<std::size_t>(axis)] += 0.999 * off[axis];
     };
-    for (int i = 0; i < 8; ++i) {
-      const dvec3 signs(i % 2 == 0 ? 1 : -1, i / 2 % 2 == 0 ? 1 : -1, i / 4 == 0 ? 1 : -1);
-      const auto& [a, b, c] = region().half_edges;
-      add(signs.x * a + signs.y * b + signs.z * c);
-      dvec3 axis(0);
-      axis[i / 2 % 3] = signs.x;
-      add(region().radius * axis);
+    const auto& [a, b, c] = region().half_edges;
+    for (const double x : {-1.0, 1.0}) {
+      if (region().radius > 0) {
+        for (const dvec3& axis : {dvec3(x, 0, 0), dvec3(0, x, 0), dvec3(0, 0, x)}) add(region().radius * axis);
+        continue;
+      }
+      for (const double y : {-1.0, 1.0}) {
+        for (const double z : {-1.0, 1.0}) add(x * a + y * b + z * c);
+      }
     }
     return eyes;
   }

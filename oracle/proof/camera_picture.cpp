@@ -35,8 +35,7 @@ oracle::Picture picture(const culler::Camera& camera, double outward) {
   const auto [right, up, forward] = camera.axes();
   const auto within = [&](const dvec3& normal, double ahead) {
     const double terms = sum_of_magnitudes(normal) * sum_of_magnitudes(camera.eye) + std::fabs(ahead);
-    const double distance = outward + std::copysign(camera.eyes.reach(normal) / glm::length(normal), outward);
-    return moved(normal, ahead - glm::dot(normal, camera.eye), terms, distance);
+    return moved(normal, ahead - glm::dot(normal, camera.eye), terms, outward);
   };
   const bool perspective = camera.projection == culler::Projection::perspective;
   const double y = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
@@ -76,8 +75,7 @@ oracle::Picture picture(const culler::MatrixCamera& camera, double outward) {
     normal /= length;
     // What rotations leave of 0. It is less than what rounds.
     for (int axis = 0; axis < 3; ++axis) normal[axis] = std::fabs(normal[axis]) < 0x1p-60 ? 0 : normal[axis];
-    half_spaces.push_back(moved(normal, offset, sum_of_magnitudes(eye) + std::fabs(offset),
-                                outward + std::copysign(camera.eyes.reach(normal), outward)));
+    half_spaces.push_back(moved(normal, offset, sum_of_magnitudes(eye) + std::fabs(offset), outward));
   };
   oracle::Picture picture;
   for (const int row : {0, 1}) {
@@ -144,22 +142,32 @@ oracle::Viewpoint viewpoint_of(const AnyCamera& camera) {
   return std::visit([](const auto& c) { return to_viewpoint(c); }, camera);
 }
 
+Eyes eyes_of(const AnyCamera& camera) {
+  const culler::EyeRegion& region = std::visit([](const auto& c) -> const culler::EyeRegion& { return c.eyes; }, camera);
+  if (region.is_point()) return std::nullopt;
+  const oracle::Point middle = position(eye_of(camera));
+  if (region.radius > 0) return oracle::Ball{middle, region.radius};
+  const auto& [a, b, c] = region.half_edges;
+  return oracle::Obb{middle, {position(a), position(b), position(c)}};
+}
+
 oracle::Picture picture_of(const AnyCamera& camera, double outward, const Eyes& eyes) {
   oracle::Picture result = std::visit([&](const auto& c) { return picture(c, outward); }, camera);
-  if (eyes) {
-    for (auto* half_spaces : {&result.sides, &result.depth}) move(*half_spaces, eye_of(camera), *eyes, outward);
+  if (const Eyes all = eyes ? eyes : eyes_of(camera)) {
+    for (auto* half_spaces : {&result.sides, &result.depth}) move(*half_spaces, eye_of(camera), *all, outward);
   }
   return result;
 }
 
 double depth_of(const oracle::Aabb& model, const AnyCamera& camera, const Eyes& eyes) {
-  const oracle::Point eye = position(eyes ? middle_of(*eyes) : eye_of(camera));
+  const Eyes all = eyes ? eyes : eyes_of(camera);
+  const oracle::Point eye = position(all ? middle_of(*all) : eye_of(camera));
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     sum += std::max(std::fabs(model.min[axis] - eye[axis]), std::fabs(model.max[axis] - eye[axis]));
     dvec3 unit(0);
     unit[static_cast<int>(axis)] = 1;
-    if (eyes) sum += reach(*eyes, unit);
+    if (all) sum += reach(*all, unit);
   }
   return sum;
 }

@@ -21,8 +21,10 @@ using AnyCamera = std::variant<culler::Camera, culler::MatrixCamera>;
 /// The eye, or the direction of parallel rays: the doubles that the camera computes, taken as exact.
 [[nodiscard]] oracle::Viewpoint viewpoint_of(const AnyCamera& camera);
 
-/// Where the eye of a camera may be, in the model: at its own place, or anywhere in a region.
+/// Where the eye of a camera may be, in the model: at its own place, or anywhere in a region. The functions below take other
+/// eyes than the camera's own, if there are any: a region to which its eye belongs.
 using Eyes = std::optional<oracle::EyeRegion>;
+[[nodiscard]] Eyes eyes_of(const AnyCamera& camera);
 
 /// The picture of the camera: with the axes that it computes in doubles, or the clip volume of its matrix. Each half-space
 /// is moved outward by `outward`, and by a little more than its numbers may be wrong by rounding. So the camera's own

@@ -108,32 +108,24 @@ Eyes eyes_in(const Json& object) {
   return oracle::Obb{center, {to_oracle(half_edges[0]), to_oracle(half_edges[1]), to_oracle(half_edges[2])}};
 }
 
-AnyCamera of_one_eye(AnyCamera camera) {
-  std::visit([](auto& c) { c.eyes = {}; }, camera);
-  return camera;
-}
-
 /// A frame that holds for a region is proved for that region, and for no less.
 std::string fault_of_eyes(const Eyes& eyes, const AnyCamera& camera) {
-  const culler::EyeRegion& region = std::visit([](const auto& c) -> const culler::EyeRegion& { return c.eyes; }, camera);
-  const oracle::Viewpoint middle = viewpoint_of(camera);
-  if (region.is_point() || middle.at_infinity) return "";
+  const Eyes own = eyes_of(camera);
+  if (!own || viewpoint_of(camera).at_infinity) return "";
   if (!eyes) return "the frame holds for a region of eyes, and the line is of one";
-  const auto is_of_frame = [&](const auto& kind) {
-    if (kind.center != middle.value) return false;
-    if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, oracle::Ball>) {
-      return kind.radius == region.radius;
-    } else {
-      return region.radius == 0 && std::ranges::equal(kind.half_edges, region.half_edges, [](const auto& a, const auto& b) {
-               return a[0] == b.x && a[1] == b.y && a[2] == b.z;
-             });
-    }
-  };
-  return std::visit(is_of_frame, *eyes) ? "" : "the eyes are not the frame's";
+  return eyes == own ? "" : "the eyes are not the frame's";
 }
 
 bool contains(const oracle::EyeRegion& eyes, const oracle::Point& eye) {
   return std::visit([&](const auto& kind) { return oracle::contains(kind, eye); }, eyes);
+}
+
+/// Adds a polygon to a cover. `vertices` are those of the line so far.
+void add(oracle::Loop loop, std::vector<oracle::Loop>& cover, std::size_t& vertices) {
+  vertices += loop.size();
+  if (vertices > render::kMostWitnessVertices)
+    throw LineError(fmt::format("\"polygons\": more than {} vertices", render::kMostWitnessVertices));
+  cover.push_back(std::move(loop));
 }
 
 oracle::Focus focus_of(const Json& object) {
@@ -215,16 +207,15 @@ Proof Prover::prove(std::string_view line) const {
   return Proof{fault(object, cameras_.at(number), first, count), number, first, count};
 }
 
-std::string Prover::fault(const Json& object, const AnyCamera& any, std::size_t first, std::size_t count) const {
+std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size_t first, std::size_t count) const {
   const Box box = proof::box(object);
   const Json& by = member(object, "by");
   if (!lie_in(box, first, count)) return "the triangles are not in the box";
 
   const double margin = margin_of(object);
-  const oracle::Viewpoint expected = viewpoint_of(any);
+  const oracle::Viewpoint expected = viewpoint_of(camera);
   const Eyes eyes = eyes_in(object);
-  if (std::string fault = fault_of_eyes(eyes, any); !fault.empty()) return fault;
-  const AnyCamera camera = eyes ? of_one_eye(any) : any;  // what follows adds the eyes of the witness
+  if (std::string fault = fault_of_eyes(eyes, camera); !fault.empty()) return fault;
   if (eyes && expected.at_infinity) return "a region of eyes is for perspective";
   if (eyes && !contains(*eyes, expected.value)) return "the frame's eye is not in the region";
   if (by == "view") {
@@ -285,7 +276,7 @@ std::string Prover::fault_of_region(const oracle::EyeRegion& eyes, const Json& o
     auto found = sheets.find(key);
     if (found != sheets.end()) return found->second;
     auto [cover, fault_of_cover] = cover_of(key.first, vertices);
-    if (fault_of_cover.empty()) fault_of_cover = append_triangles(key.second, cover);
+    if (fault_of_cover.empty()) fault_of_cover = append_triangles(key.second, cover, vertices);
     if (fault.empty()) fault = fault_of_cover;
     return sheets.emplace(key, oracle::Sheet(cover, beyond_near)).first->second;
   };
@@ -318,22 +309,18 @@ Prover::CoverOrFault Prover::cover_of(const Json& polygons, std::size_t& vertice
     const std::optional<std::uint32_t> p = polygon_of(named);
     if (!p) return {{}, "no such polygon"};
     if (!hierarchy_.soup().is_opaque(*p)) return {{}, "a see-through polygon hides nothing"};
-    oracle::Loop& loop = cover.emplace_back();
+    oracle::Loop loop;
     for (const std::uint32_t index : hierarchy_.soup().loop(*p)) {
       loop.push_back(key(hierarchy_.soup().vertices[index]));
     }
-    vertices += loop.size();
-    if (vertices > render::kMostWitnessVertices)
-      throw LineError(fmt::format("\"polygons\": more than {} vertices", render::kMostWitnessVertices));
+    add(std::move(loop), cover, vertices);
   }
   return {std::move(cover), ""};
 }
 
 /// Adds triangles of fans, each named by its polygon and the second of its corners.
-std::string Prover::append_triangles(const Json& triangles, std::vector<oracle::Loop>& cover) const {
+std::string Prover::append_triangles(const Json& triangles, std::vector<oracle::Loop>& cover, std::size_t& vertices) const {
   if (!triangles.is_array()) throw LineError("\"triangles\": expected a list of [polygon, corner]");
-  if (triangles.size() > render::kMostWitnessVertices / 3)
-    throw LineError(fmt::format("\"triangles\": more than {} vertices", render::kMostWitnessVertices));
   for (const Json& named : triangles) {
     if (!named.is_array() || named.size() != 2 || !named[1].is_number_unsigned())
       throw LineError("\"triangles\": expected a list of [polygon, corner]");
@@ -343,7 +330,7 @@ std::string Prover::append_triangles(const Json& triangles, std::vector<oracle::
     if (!hierarchy_.soup().is_opaque(*p)) return "a see-through polygon hides nothing";
     const auto loop = hierarchy_.soup().loop(*p);
     const auto at = [&](std::size_t i) { return key(hierarchy_.soup().vertices[loop[i]]); };
-    cover.push_back({at(0), at(corner), at(corner + 1)});
+    add({at(0), at(corner), at(corner + 1)}, cover, vertices);
   }
   return "";
 }

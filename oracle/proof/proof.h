@@ -59,7 +59,7 @@ class Prover {
   ///   Only the part of a polygon that the renderer certainly draws counts. The polygons may be culled themselves, because
   ///   nothing hides the first polygon that a ray meets.
   /// Of a cull for a region of eyes, to which the frame's eye belongs, all of this must hold for a camera with the frame's
-  /// axes at each of these eyes. Shadows are not for regions, and what a cover of one must show is said in
+  /// axes at each of these eyes. A shadow is of one occluder. What a cover must show is said in
   /// occlude/oracle/region.h.
   [[nodiscard]] Proof prove(std::string_view line) const;
 
@@ -95,7 +95,9 @@ class Prover {
                                            const AnyCamera& camera, const Box& box) const;
   /// The polygon of the tree that is named in a cover by its number in the model file or, where it has several pieces, by
   /// [number, piece]. None if there is none. Throws LineError if it is neither.
-  [[nodiscard]] std::string append_triangles(const nlohmann::json& triangles, std::vector<oracle::Loop>& cover) const;
+  /// Adds the triangles of fans that a window names, or says why there are none. Otherwise as cover_of().
+  [[nodiscard]] std::string append_triangles(const nlohmann::json& triangles, std::vector<oracle::Loop>& cover,
+                                             std::size_t& vertices) const;
   [[nodiscard]] std::optional<std::uint32_t> polygon_of(const nlohmann::json& named) const;
   /// Whether the loop is the border of the `parts`. Each part is a run of triangles of one polygon, none of them among those
   /// triangles.

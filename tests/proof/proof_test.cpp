@@ -400,6 +400,32 @@ TEST_F(RegionCull, CountsWhatIsDrawnForAllEyes) {
   EXPECT_EQ(fault_of_cover(ball_, slope), "window 0: the border of the sheet shows before the focus plane");
 }
 
+/// What a frame for several eyes culls is proved for all of them.
+TEST_F(RegionCull, IsOfTheEyesOfTheFrame) {
+  const std::string window = R"({"rect":[-0.6,-0.6,0.6,0.6],"polygons":[0,1]})";
+  const std::string smaller = R"({"center":[0,0,0],"radius":0.125})";
+  constexpr const char* kOther = "the eyes are not the frame's";
+  EXPECT_EQ(fault_of_cover(smaller, window), "");
+  camera_.eyes = culler::EyeRegion::ball(0.25);
+  EXPECT_EQ(fault_of_cover(ball_, window), "");
+  EXPECT_EQ(fault_of_cover(smaller, window), kOther);
+  EXPECT_EQ(fault_of_cover(cube_, window), kOther);
+  camera_.eyes = culler::EyeRegion::box({0.25, 0, 0}, {0, 0.25, 0}, {0, 0, 0.25});
+  EXPECT_EQ(fault_of_cover(cube_, window), "");
+  EXPECT_EQ(fault_of_cover(ball_, window), kOther);
+  const auto hierarchy = culler::Hierarchy::build(soup_, {.leaf_size = 1});
+  const Prover prover(hierarchy, {1, [this](std::size_t) { return camera_; }});
+  std::uint32_t p = 0;
+  while (hierarchy.original(p) != 3) ++p;
+  EXPECT_EQ(
+      prover
+          .prove(fmt::format(
+              R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[6,-1,-1],"max":[6,1,1]}},"triangles":[{},2],"by":"cover","polygons":[0,1]}})",
+              hierarchy.first_triangle(p)))
+          .failure,
+      "the frame holds for a region of eyes, and the line is of one");
+}
+
 TEST_F(RegionCull, PlanesAreOutsideOfAllPictures) {
   const auto view = [&](const std::string& eyes, const std::string& plane) {
     return fault(eyes, R"("by":"view","plane":)" + plane);

@@ -47,6 +47,8 @@ struct Aabb {
 struct Obb {
   Point center{};
   std::array<Point, 3> half_edges{};
+
+  friend bool operator==(const Obb&, const Obb&) = default;
 };
 
 using Box = std::variant<Aabb, Obb>;

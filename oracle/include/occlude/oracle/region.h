@@ -17,6 +17,8 @@ namespace occlude::oracle {
 struct Ball {
   Point center{};
   double radius = 0;
+
+  friend bool operator==(const Ball&, const Ball&) = default;
 };
 
 /// Where the eye may be: in a ball, or in a box whose half edges may be any vectors.
