@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
@@ -17,22 +16,19 @@
 #include "frames.h"
 #include "occlude/culler/camera.h"
 #include "scenes.h"
+#include "seed.h"
 
 namespace ahead_test {
 
 using namespace occlude::culler;
 using glm::dvec3;
+using occlude::seed_of;
 
 #ifdef OCCLUDE_SANITIZED
 constexpr unsigned kCameras = 200;
 #else
 constexpr unsigned kCameras = 5000;
 #endif
-
-std::uint32_t seed_of(std::uint32_t usual) {
-  const char* const requested = std::getenv("OCCLUDE_SEED");
-  return requested != nullptr ? static_cast<std::uint32_t>(std::strtoul(requested, nullptr, 10)) : usual;
-}
 
 dvec3 some_direction(std::mt19937& random) {
   for (;;) {

@@ -8,8 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -21,6 +19,7 @@
 #include "cover/conservative_viewport.h"
 #include "cover/projected_plane.h"
 #include "scenes.h"
+#include "seed.h"
 
 namespace occlude::culler {
 namespace eye_moves_test {
@@ -31,7 +30,7 @@ using Vector = glm::vec<3, Real>;
 /// A picture of several eyes, and what one of them sees in it.
 class EyeMovesTest : public testing::Test {
  protected:
-  void SetUp() override { std::cout << "seed " << seed() << "\n"; }
+  void SetUp() override { std::cout << "seed " << seed_of(1) << "\n"; }
 
   struct Place {
     Real x, y, nearness;  ///< in pixels; 1 over the distance along the line of sight from the middle
@@ -97,12 +96,7 @@ class EyeMovesTest : public testing::Test {
   }
 
   static constexpr double kDepth = 4000;
-  /// OCCLUDE_SEED, or the one that this test has always had.
-  static std::uint32_t seed() {
-    const char* const requested = std::getenv("OCCLUDE_SEED");
-    return requested != nullptr ? static_cast<std::uint32_t>(std::strtoul(requested, nullptr, 10)) : 1;
-  }
-  std::mt19937 random_{seed()};
+  std::mt19937 random_{seed_of(1)};
   EyeRegion eyes_;
   ConservativeViewport picture_;
   double focus_ = 0;

@@ -7,10 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 #include <iostream>
 #include <random>
@@ -20,54 +17,17 @@
 #include "occlude/culler/camera.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
+#include "seed.h"
+#include "seen_by_rays.h"
 
 namespace occlude::culler {
 namespace eye_region_test {
 
 using glm::dvec3;
 
-/// The seed of a test; OCCLUDE_SEED takes another one.
-std::uint32_t seed_of(std::uint32_t usual) {
-  const char* const given = std::getenv("OCCLUDE_SEED");
-  return given != nullptr ? static_cast<std::uint32_t>(std::strtoul(given, nullptr, 10)) : usual;
-}
-
 std::uint32_t some_seed(std::mt19937& random) { return static_cast<std::uint32_t>(random()); }
 
 Culler culler_of(const PolygonSoup& soup) { return Culler(soup, {.hierarchy = {.leaf_size = 2}, .lists = {.regions = 8}}); }
-
-/// What a ray from an eye meets, by brute force. Whatever is within rounding counts as met.
-class Rays {
- public:
-  explicit Rays(SoupView soup) {
-    for (std::size_t p = 0; p < soup.size(); ++p) {
-      const auto loop = soup.loop(p);
-      for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-        triangles_.push_back({soup.vertices[loop[0]], soup.vertices[loop[i]], soup.vertices[loop[i + 1]]});
-      }
-    }
-  }
-
-  /// Whether nothing is between the eye and the point, from the share `from` of the way on.
-  [[nodiscard]] bool are_clear(const dvec3& eye, const dvec3& point, double from) const {
-    const dvec3 way = point - eye;
-    return std::ranges::none_of(triangles_, [&](const std::array<dvec3, 3>& t) {
-      const dvec3 a = t[1] - t[0], b = t[2] - t[0], n = glm::cross(a, b);
-      const double along = glm::dot(n, way);
-      if (std::fabs(along) < 1e-12 * glm::length(n) * glm::length(way)) return false;
-      const double at = glm::dot(n, t[0] - eye) / along;
-      if (at < from || at > 1 - 1e-9) return false;
-      const dvec3 met = eye + at * way - t[0];
-      const double square = glm::dot(n, n);
-      const double u = glm::dot(glm::cross(met, b), n) / square, v = glm::dot(glm::cross(a, met), n) / square;
-      return u > -kRounded && v > -kRounded && u + v < 1 + kRounded;
-    });
-  }
-
- private:
-  static constexpr double kRounded = 1e-9;
-  std::vector<std::array<dvec3, 3>> triangles_;
-};
 
 dvec3 some_vector(std::mt19937& random) { return {uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)}; }
 
@@ -99,15 +59,6 @@ dvec3 some_eye(std::mt19937& random, const EyeRegion& eyes) {
   return eye;
 }
 
-/// Whether the camera at another eye has the point in its picture, beyond its near plane.
-bool shows(const Camera& camera, const dvec3& eye, const dvec3& point) {
-  const auto [right, up, forward] = camera.axes();
-  const dvec3 way = point - eye;
-  const double ahead = glm::dot(way, forward), half = std::tan(glm::radians(camera.fov_y_deg) / 2);
-  return ahead > camera.near_plane && ahead < camera.far_plane && std::fabs(glm::dot(way, up)) < half * ahead &&
-         std::fabs(glm::dot(way, right)) < half * camera.aspect * ahead;
-}
-
 class EyeRegionTest : public testing::TestWithParam<Method> {};
 
 INSTANTIATE_TEST_SUITE_P(Culler, EyeRegionTest, testing::Values(Method::frusta, Method::cover),
@@ -130,21 +81,17 @@ TEST_P(EyeRegionTest, NothingThatAnyEyeSeesIsCulled) {
     CullOptions options;
     options.method = GetParam();
     const CullResult frame = culler.cull(camera, options);
-    const Rays all(culler.hierarchy().soup());
+    const SoupView all = culler.hierarchy().soup();
     const std::vector<bool> drawn = drawn_polygons(culler, frame);
     hidden += frame.stats.shadow_culled_polygons;
+    Picture picture(camera);
     for (std::uint32_t p = 0; p < drawn.size(); ++p) {
-      const auto loop = culler.hierarchy().soup().loop(p);
       for (int k = 0; k < 8; ++k) {
-        const dvec3 eye = camera.eye + some_eye(random, camera.eyes);
-        const double share = uniform(random, 0, 1);
-        const auto vertex = [&](std::size_t v) { return culler.hierarchy().soup().vertices[loop[v]]; };
-        const std::size_t v = random() % (loop.size() - 2);
-        const dvec3 point = glm::mix(vertex(0), glm::mix(vertex(v + 1), vertex(v + 2), uniform(random, 0, 1)), share);
-        if (!shows(camera, eye, point)) continue;
-        const double ahead = glm::dot(point - eye, camera.axes().forward);
+        picture.eye = Vector(camera.eye + some_eye(random, camera.eyes));
+        const dvec3 point = some_point(all, p, random);
+        if (!picture.shows(point)) continue;
         ++rays;
-        if (!all.are_clear(eye, point, camera.near_plane / ahead * (1 - 1e-9))) continue;
+        if (!is_clear(all, picture, point, p)) continue;
         ++seen;
         ASSERT_TRUE(drawn[p]) << "frame " << i << ", polygon " << p << ", eye " << k;
       }

@@ -27,6 +27,7 @@
 #include "held/lease.h"
 #include "held/motion.h"
 #include "scenes.h"
+#include "seed.h"
 #include "seen_by_rays.h"
 #include "wanderers.h"
 
@@ -34,22 +35,7 @@ namespace held_cull_test {
 
 using namespace occlude::culler;
 using glm::dvec3;
-
-/// OCCLUDE_HELD_FRAMES, or as many as the suite has time for.
-unsigned frames_wanted() {
-  const char* const requested = std::getenv("OCCLUDE_HELD_FRAMES");
-#ifdef OCCLUDE_SANITIZED
-  constexpr unsigned kUsual = 300;
-#else
-  constexpr unsigned kUsual = 3000;
-#endif
-  return requested != nullptr ? static_cast<unsigned>(std::strtoul(requested, nullptr, 10)) : kUsual;
-}
-
-std::uint32_t seed_of(std::uint32_t usual) {
-  const char* const requested = std::getenv("OCCLUDE_SEED");
-  return requested != nullptr ? static_cast<std::uint32_t>(std::strtoul(requested, nullptr, 10)) : usual;
-}
+using occlude::seed_of;
 
 std::vector<bool> drawn_polygons(const Culler& culler, const HeldResult& result) {
   CullResult frame;

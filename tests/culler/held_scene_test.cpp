@@ -21,6 +21,7 @@
 #include "occlude/culler/held_cull.h"
 #include "occlude/culler/scene.h"
 #include "scenes.h"
+#include "seed.h"
 #include "seen_by_rays.h"
 #include "wanderers.h"
 
@@ -28,22 +29,8 @@ namespace held_scene_test {
 
 using namespace occlude::culler;
 using glm::dvec3;
+using occlude::seed_of;
 using occlude::kernel::Aabb;
-
-unsigned frames_wanted() {
-  const char* const requested = std::getenv("OCCLUDE_HELD_FRAMES");
-#ifdef OCCLUDE_SANITIZED
-  constexpr unsigned kUsual = 300;
-#else
-  constexpr unsigned kUsual = 3000;
-#endif
-  return requested != nullptr ? static_cast<unsigned>(std::strtoul(requested, nullptr, 10)) : kUsual;
-}
-
-std::uint32_t seed_of(std::uint32_t usual) {
-  const char* const requested = std::getenv("OCCLUDE_SEED");
-  return requested != nullptr ? static_cast<std::uint32_t>(std::strtoul(requested, nullptr, 10)) : usual;
-}
 
 std::shared_ptr<const OccluderMesh> box_mesh(const Aabb& box) {
   PolygonSoup soup;
@@ -101,9 +88,7 @@ class Town {
       const dvec3 point{uniform(random_, low.x, high.x), uniform(random_, low.y, high.y), uniform(random_, low.z, high.z)};
       if (!picture.shows(point)) continue;
       ++rays;
-      bool is_hidden = false;
-      for (std::uint32_t p = 0; p < soup.size() && !is_hidden; ++p) is_hidden = blocks(soup, p, camera.eye, point);
-      EXPECT_TRUE(is_hidden);
+      EXPECT_FALSE(is_clear(soup, picture, point));
     }
     return rays;
   }
@@ -133,7 +118,8 @@ class Town {
     return {{x, y, 0}, {x + width, y + width, height}};
   }
   void add_house() {
-    const Aabb box = somewhere(uniform(random_, 3, 12), uniform(random_, 3, 8));
+    const double width = uniform(random_, 3, 12), height = uniform(random_, 3, 8);  // in the same order everywhere
+    const Aabb box = somewhere(width, height);
     House house{scene.add(box), {}, box};
     house.occluder = scene.add(box_mesh(box), {}, {.object = random_() % 2 == 0 ? house.object : ObjectId{}});
     houses_.push_back(house);
@@ -239,34 +225,48 @@ TEST(HeldScenes, NothingThatIsSeenIsLeftOut) {
   }
 }
 
-/// The same with regions as HeldSceneCull wants them, and answers that come when they come.
-TEST(HeldSceneCull, NothingThatIsSeenIsLeftOut) {
+/// A walk through a town that changes in each frame: nothing that is seen is left out. Returns the counts of its frames.
+HeldStats walk(bool is_repeatable) {
   std::mt19937 random(seed_of(5632));
   Town town(random);
   Delays delays;
-  HeldSceneCull held(
-      town.scene, {.cull = kHow, .later = delays.later([&] { return random() % 4 == 0 ? uniform(random, 0, 0.5) : 0.01; })});
+  HeldSceneCull held(town.scene, {.cull = kHow,
+                                  .later = delays.later([&] { return random() % 4 == 0 ? uniform(random, 0, 0.5) : 0.01; }),
+                                  .is_repeatable = is_repeatable});
   Wanderer wanderer(random);
   unsigned rays = 0;
   const unsigned frames = frames_wanted();
-  for (unsigned frame = 0; frame < frames; ++frame) {
+  for (unsigned frame = 0; frame < frames && !testing::Test::HasFailure(); ++frame) {
     const double now = frame / 60.0;
     delays.pass_until(now);
     town.change();
     const Camera camera = wanderer.after(1 / 60.0);
     const SceneResult& result = frame % 7 == 3 ? held.cull(matrix_of(camera), now) : held.cull(camera, now);
     rays += town.expect_hidden(result, camera);
-    if (HasFailure()) FAIL() << "frame " << frame;
+    if (testing::Test::HasFailure()) std::cout << "frame " << frame << "\n";
   }
+  EXPECT_GT(rays, frames);
   const HeldStats& stats = held.stats();
   EXPECT_EQ(stats.frames, frames);
-  EXPECT_GT(rays, frames);
-  EXPECT_LT(stats.of_point, frames - frames / 50) << "what stands changes so often that few frames are held";
-  EXPECT_GT(stats.regions, frames / 200);
   if (std::getenv("OCCLUDE_HELD_FRAMES") != nullptr) {
     std::cout << stats.of_point << " frames by point, " << stats.regions << " regions, " << stats.late << " late, " << rays
               << " rays\n";
   }
+  return stats;
+}
+
+/// With regions as HeldSceneCull wants them, and answers that come when they come.
+TEST(HeldSceneCull, NothingThatIsSeenIsLeftOut) {
+  const HeldStats stats = walk(false);
+  EXPECT_LT(stats.of_point, stats.frames);
+  EXPECT_GT(stats.regions, 0U);
+}
+
+/// How many frames are held depends on what regions cost, and so on the clock, but for results that can be repeated.
+TEST(HeldSceneCull, FramesAreHeld) {
+  const HeldStats stats = walk(true);
+  EXPECT_LT(stats.of_point, stats.frames - stats.frames / 10);
+  EXPECT_GT(stats.regions, stats.frames / 200);
 }
 
 /// On real threads, while the scene is updated.

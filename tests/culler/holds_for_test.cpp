@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
@@ -23,12 +22,14 @@
 #include "occlude/culler/culler.h"
 #include "occlude/culler/scene.h"
 #include "scenes.h"
+#include "seed.h"
 #include "seen_by_rays.h"
 
 namespace holds_for_test {
 
 using namespace occlude::culler;
 using glm::dvec3;
+using occlude::seed_of;
 
 #ifdef OCCLUDE_SANITIZED
 constexpr unsigned kCameras = 2000;
@@ -36,30 +37,25 @@ constexpr unsigned kCameras = 2000;
 constexpr unsigned kCameras = 100000;
 #endif
 
-std::uint32_t seed_of(std::uint32_t usual) {
-  const char* const requested = std::getenv("OCCLUDE_SEED");
-  return requested != nullptr ? static_cast<std::uint32_t>(std::strtoul(requested, nullptr, 10)) : usual;
-}
-
 dvec3 some_vector(std::mt19937& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
 /// By how much the eye, relative to the middle, is in a box of three perpendicular half-edges or in a ball.
 Number inside(const EyeRegion& eyes, const Vector& e) {
-  if (eyes.radius > 0) return Number{eyes.radius} - std::sqrt(dot(e, e));
+  if (eyes.radius > 0) return Number{eyes.radius} - glm::length(e);
   Number least = std::numeric_limits<Number>::infinity();
   for (const dvec3& half_edge : eyes.half_edges) {
     const Vector h(half_edge);
-    const Number length = std::sqrt(dot(h, h));
-    least = std::min(least, length - std::fabs(dot(e, h)) / length);
+    const Number length = glm::length(h);
+    least = std::min(least, length - std::fabs(glm::dot(e, h)) / length);
   }
   return least;
 }
 
 Number reach(const EyeRegion& eyes, const Vector& unit_vector) {
   Number reach = eyes.radius;
-  for (const dvec3& half_edge : eyes.half_edges) reach += std::fabs(dot(Vector(half_edge), unit_vector));
+  for (const dvec3& half_edge : eyes.half_edges) reach += std::fabs(glm::dot(Vector(half_edge), unit_vector));
   return reach;
 }
 
@@ -74,23 +70,22 @@ Slack slack(const Camera& frame, const Camera& camera, Number depth) {
   const Picture of(frame), asked(camera);
   const Vector moved = Vector(camera.eye) - Vector(frame.eye);
   constexpr Number kInfinity = std::numeric_limits<Number>::infinity();
-  Slack slack{frame.eyes.is_point() ? -std::sqrt(dot(moved, moved)) : inside(frame.eyes, moved), kInfinity, kInfinity,
-              kInfinity};
+  Slack slack{frame.eyes.is_point() ? -glm::length(moved) : inside(frame.eyes, moved), kInfinity, kInfinity, kInfinity};
   const Number far = std::min(asked.far, depth), near = std::min(asked.near, far);
   const auto ask = [&](const Vector& normal, Number offset) {
     Number least = kInfinity;
     for (unsigned i = 0; i < 4; ++i) {
-      least = std::min({least, dot(normal, asked.corner(i, near)), dot(normal, asked.corner(i, far))});
+      least = std::min({least, glm::dot(normal, asked.corner(i, near)), glm::dot(normal, asked.corner(i, far))});
     }
     least = std::max(least, -depth);  // nothing is farther
     slack.as_seen = std::min(slack.as_seen, (least + offset) / depth);
-    slack.shown = std::min(slack.shown, (least + offset + dot(normal, moved) + reach(frame.eyes, normal)) / depth);
+    slack.shown = std::min(slack.shown, (least + offset + glm::dot(normal, moved) + reach(frame.eyes, normal)) / depth);
   };
   for (const auto& [normal, offset] : of.sides()) ask(normal, offset);
   if (of.far < depth) ask(Number{-1} * of.forward, of.far);
   if (frame.eyes.is_point()) ask(of.forward, -of.near);
   for (unsigned i = 0; i < 4; ++i) {
-    slack.hiding = std::min(slack.hiding, (of.near - dot(of.forward, asked.corner(i, asked.near))) / depth);
+    slack.hiding = std::min(slack.hiding, (of.near - glm::dot(of.forward, asked.corner(i, asked.near))) / depth);
   }
   return slack;
 }
@@ -207,33 +202,26 @@ TEST(HoldsFor, CamerasThatDifferByAnEyeOfTheRegion) {
 
 TEST(HoldsFor, RegionsWithinTheRegion) {
   Camera frame{.eye = {1, 2, 3}, .target = {2, 2, 3}, .near_plane = 0.5, .eyes = EyeRegion::box({1, 0, 0}, {0, 0.5, 0})};
-  const FrameView view(frame, 50);
-  const auto holds_from = [&](const dvec3& moved, const EyeRegion& eyes) {
+  const auto holds_from = [&frame](const FrameView& view, const dvec3& moved, const EyeRegion& eyes) {
     Camera camera = frame;
     camera.eye += moved;
     camera.target += moved;
     camera.eyes = eyes;
     return holds_for(view, camera);
   };
-  EXPECT_TRUE(holds_from({0.999, -0.499, 0}, {}));
-  EXPECT_FALSE(holds_from({0.25, 0.25, 0x1p-40}, {})) << "the box is flat";
-  EXPECT_FALSE(holds_from({1.001, 0, 0}, {}));
-  EXPECT_FALSE(holds_from({0, 0.501, 0}, {}));
-  EXPECT_FALSE(holds_from({0.25, 0.25, 0}, EyeRegion::ball(0.01)));
+  const FrameView flat(frame, 50);
+  EXPECT_TRUE(holds_from(flat, {0.999, -0.499, 0}, {}));
+  EXPECT_FALSE(holds_from(flat, {0.25, 0.25, 0x1p-40}, {})) << "the box is flat";
+  EXPECT_FALSE(holds_from(flat, {1.001, 0, 0}, {}));
+  EXPECT_FALSE(holds_from(flat, {0, 0.501, 0}, {}));
+  EXPECT_FALSE(holds_from(flat, {0.25, 0.25, 0}, EyeRegion::ball(0.01)));
   frame.eyes = EyeRegion::box({1, 0, 0}, {0, 0.5, 0}, {0, 0, 0.25});
   const FrameView thick(frame, 50);
-  const auto holds_thick = [&](const dvec3& moved, const EyeRegion& eyes) {
-    Camera camera = frame;
-    camera.eye += moved;
-    camera.target += moved;
-    camera.eyes = eyes;
-    return holds_for(thick, camera);
-  };
-  EXPECT_TRUE(holds_thick({0.25, 0.25, 0}, EyeRegion::ball(0.24)));
-  EXPECT_FALSE(holds_thick({0.25, 0.25, 0}, EyeRegion::ball(0.2501)));
-  EXPECT_FALSE(holds_thick({0.25, 0.3, 0}, EyeRegion::ball(0.21)));
-  EXPECT_TRUE(holds_thick({0.25, 0.25, 0}, EyeRegion::box({0, 0, 0.24}, {0.74, 0, 0}, {0, 0.24, 0})));
-  EXPECT_FALSE(holds_thick({0.25, 0.25, 0}, EyeRegion::box({0, 0, 0.24}, {0.76, 0, 0}, {0, 0.24, 0})));
+  EXPECT_TRUE(holds_from(thick, {0.25, 0.25, 0}, EyeRegion::ball(0.24)));
+  EXPECT_FALSE(holds_from(thick, {0.25, 0.25, 0}, EyeRegion::ball(0.2501)));
+  EXPECT_FALSE(holds_from(thick, {0.25, 0.3, 0}, EyeRegion::ball(0.21)));
+  EXPECT_TRUE(holds_from(thick, {0.25, 0.25, 0}, EyeRegion::box({0, 0, 0.24}, {0.74, 0, 0}, {0, 0.24, 0})));
+  EXPECT_FALSE(holds_from(thick, {0.25, 0.25, 0}, EyeRegion::box({0, 0, 0.24}, {0.76, 0, 0}, {0, 0.24, 0})));
 }
 
 /// Half-edges that depend on each other are a box that nobody can tell what is in.
@@ -331,7 +319,7 @@ TEST(HoldsFor, MatricesFromOtherEyes) {
       const Vector q = p - Vector(moved);
       Number least = std::numeric_limits<Number>::infinity();
       for (const HalfSpace& h : std::vector(view.half_spaces.begin(), view.half_spaces.begin() + view.half_space_count)) {
-        least = std::min(least, dot(Vector(h.normal), p) + Number{h.offset});
+        least = std::min(least, glm::dot(Vector(h.normal), p) + Number{h.offset});
       }
       ASSERT_GE(least, 0x1p-20L * 100 * 0.6L) << k << ' ' << static_cast<double>(q.x);
     }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -33,18 +32,14 @@
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/validity.h"
 #include "scenes.h"
+#include "seed.h"
 
 namespace matrix_camera_test {
 
 using namespace occlude;
 using namespace occlude::culler;
 using glm::dvec3;
-
-/// OCCLUDE_SEED, or the one that this test has always had.
-std::uint32_t seed_of(std::uint32_t usual) {
-  const char* const requested = std::getenv("OCCLUDE_SEED");
-  return requested != nullptr ? static_cast<std::uint32_t>(std::strtoul(requested, nullptr, 10)) : usual;
-}
+using occlude::seed_of;
 
 /// The sign of a sum of products, exactly. REQUIRES: no product overflows or has bits below 2^-1074.
 template <std::size_t N>

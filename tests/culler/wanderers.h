@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <deque>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -19,6 +20,17 @@
 #include "scenes.h"
 
 namespace occlude::culler {
+
+/// OCCLUDE_HELD_FRAMES, or as many as the suite has time for.
+inline unsigned frames_wanted() {
+  const char* const requested = std::getenv("OCCLUDE_HELD_FRAMES");
+#ifdef OCCLUDE_SANITIZED
+  constexpr unsigned kUsual = 300;
+#else
+  constexpr unsigned kUsual = 3000;
+#endif
+  return requested != nullptr ? static_cast<unsigned>(std::strtoul(requested, nullptr, 10)) : kUsual;
+}
 
 /// Tasks that run when some time has gone.
 class Delays {
