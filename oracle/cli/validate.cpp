@@ -432,7 +432,7 @@ void add_validate(Command app, int& exit_code) {
   const auto a = std::make_shared<ValidateArguments>();
   add_input(command, "MODEL", a->model, "the model walked through").required();
   a->path.add_to(command, "camera path");
-  a->path.add_region_to(command);
+  Option region = a->path.add_region_to(command);
   Option witness = add_input(command, "--witness", a->witness,
                              "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
   command
@@ -448,7 +448,8 @@ void add_validate(Command app, int& exit_code) {
   command
       .add_flag("--scene", a->scene,
                 "cull by --method cover a scene of which each leaf of the tree is an object, and all polygons hide")
-      .excludes(witness);
+      .excludes(witness)
+      .excludes(region);
   a->walk.add_size_to(command);
   for (Option option : a->walk.add_culling_to(command)) option.excludes(witness);
   a->walk.add_model_to(command).excludes(witness);

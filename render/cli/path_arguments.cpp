@@ -66,9 +66,9 @@ render::CameraPath made_path(const std::string& model_file, culler::SoupView sou
 
 }  // namespace
 
-void PathArguments::add_region_to(Command command) {
+Option PathArguments::add_region_to(Command command) {
   constexpr double kLargest = 1e9;
-  command
+  return command
       .add("--region", region_,
            "cull each frame for all eyes within this distance of the path, in units of the model: what is culled is hidden "
            "from all of them")

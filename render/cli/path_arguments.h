@@ -19,7 +19,7 @@ class PathArguments {
   Option add_to(Command command, const std::string& text, const std::string& otherwise = "made for the model");
 
   /// Adds --region.
-  void add_region_to(Command command);
+  Option add_region_to(Command command);
 
   [[nodiscard]] bool is_given() const { return !path_.empty(); }
   /// As it is named.

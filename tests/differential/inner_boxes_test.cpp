@@ -19,6 +19,7 @@
 namespace inner_boxes_test {
 
 using namespace occlude::culler;
+using occlude::seed_of;
 using occlude::oracle::Point;
 using occlude::oracle::Triangle;
 

@@ -340,6 +340,14 @@ typedef struct occlude_eye_region {
   double half_edges[3][3];  ///< of the box: its corners are all sums of them and their negatives
 } occlude_eye_region;
 
+/// The camera's own eye alone.
+#define OCCLUDE_ONE_EYE_INIT            \
+  {                                     \
+    0, {                                \
+      {0, 0, 0}, {0, 0, 0}, { 0, 0, 0 } \
+    }                                   \
+  }
+
 /// A camera that is any projective matrix: the one that the renderer has, from the coordinates of the scene to clip space.
 /// The matrix times the column (x, y, z, 1) is (x, y, z, w) in clip space. Perspective or parallel rays, either handedness,
 /// reversed or infinite depth, off-centre or oblique: all of it follows from the matrix. More is said in
@@ -354,13 +362,10 @@ typedef struct occlude_matrix_camera {
   occlude_eye_region eyes;  ///< relative to the matrix's eye
 } occlude_matrix_camera;
 
-#define OCCLUDE_MATRIX_CAMERA_INIT                                                                                       \
-  {                                                                                                                      \
-    sizeof(occlude_matrix_camera), NULL, OCCLUDE_DOUBLE, OCCLUDE_COLUMNS, OCCLUDE_DEPTH_UNSAID, OCCLUDE_NEARER_UNSAID, { \
-      0, {                                                                                                               \
-        {0, 0, 0}, {0, 0, 0}, { 0, 0, 0 }                                                                                \
-      }                                                                                                                  \
-    }                                                                                                                    \
+#define OCCLUDE_MATRIX_CAMERA_INIT                                                                                     \
+  {                                                                                                                    \
+    sizeof(occlude_matrix_camera), NULL, OCCLUDE_DOUBLE, OCCLUDE_COLUMNS, OCCLUDE_DEPTH_UNSAID, OCCLUDE_NEARER_UNSAID, \
+        OCCLUDE_ONE_EYE_INIT                                                                                           \
   }
 
 typedef int32_t occlude_projection;
@@ -380,13 +385,10 @@ typedef struct occlude_look_at_camera {
   occlude_eye_region eyes;  ///< relative to `eye`
 } occlude_look_at_camera;
 
-#define OCCLUDE_LOOK_AT_CAMERA_INIT                                                                                         \
-  {                                                                                                                         \
-    sizeof(occlude_look_at_camera), {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 60, 100, 16.0 / 9.0, 0.1, 0, OCCLUDE_PERSPECTIVE, 0, { \
-      0, {                                                                                                                  \
-        {0, 0, 0}, {0, 0, 0}, { 0, 0, 0 }                                                                                   \
-      }                                                                                                                     \
-    }                                                                                                                       \
+#define OCCLUDE_LOOK_AT_CAMERA_INIT                                                                                       \
+  {                                                                                                                       \
+    sizeof(occlude_look_at_camera), {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 60, 100, 16.0 / 9.0, 0.1, 0, OCCLUDE_PERSPECTIVE, 0, \
+        OCCLUDE_ONE_EYE_INIT                                                                                              \
   }
 
 /// Writes the matrix of this camera to `matrix`, 16 numbers, column after column: for the renderer, and for

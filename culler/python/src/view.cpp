@@ -155,8 +155,7 @@ void define_cameras(py::module_& module) {
   py::class_<EyeRegion>(module, "EyeRegion",
                         "Where the eye may be, relative to a camera's: EyeRegion.ball(radius), EyeRegion.box(a, b, c) with "
                         "half-edges. What is culled for such a camera is hidden from every eye of the region.")
-      .def_static(
-          "ball", [](double radius) { return EyeRegion::ball(radius); }, "radius"_a)
+      .def_static("ball", &EyeRegion::ball, "radius"_a)
       .def_static(
           "box",
           [](const Doubles& a, const Doubles& b, const Doubles& c) {

@@ -25,8 +25,8 @@ enum class Projection { perspective, orthographic };
 /// Where the eye may be, relative to the eye of a camera: a ball, or a box. By default there is no room.
 struct EyeRegion {
   double radius = 0;  ///< of the ball, in model units
-  std::array<glm::dvec3, 3>
-      half_edges{};  ///< of the box: its corners are all sums of them and their negatives. Any may be 0
+  /// Of the box: its corners are all sums of them and their negatives. Any may be 0.
+  std::array<glm::dvec3, 3> half_edges{};
 
   /// All eyes no farther than `radius` from the camera's.
   [[nodiscard]] static EyeRegion ball(double radius) { return {radius, {}}; }
