@@ -70,6 +70,9 @@ class HeldModel {
   }
 
   [[nodiscard]] const HeldResult& result() const { return result_; }
+  /// Of the last camera of the region that was culled last, and of the last frame by point: what they cull, too.
+  [[nodiscard]] const CullResult& frame_of_region() const { return view_of_regions_.result(); }
+  [[nodiscard]] const CullResult& frame_by_point() const { return view_by_point_.result(); }
 
  private:
   const Culler& culler_;

@@ -34,11 +34,10 @@ Result run(const Subject& subject, const Options& options, const std::vector<std
   result.frames = frames.size();
   if (is_chosen("table2")) {
     render::WalkResult walk = walk_without_files(subject, options.walk);
-    const render::WalkOptions by_other = render::by_other_method(options.walk);
-    const render::WalkResult other = walk_without_files(subject, by_other);
+    const render::WalkOptions beside = render::options_beside(options.walk);
+    const render::WalkResult other = walk_without_files(subject, beside);
     result.table2 = summarise(walk, options.walk, subject.name);
-    result.table2->methods =
-        render::methods_of({{options.walk.cull.method, &walk}, {by_other.cull.method, &other}}, options.walk.render);
+    result.table2->methods = render::methods_of({{&options.walk, &walk}, {&beside, &other}}, options.walk.render);
     result.walked = std::move(walk.frames);
   }
   if (is_chosen("figure4")) result.figure4 = measure_figure4(subject, options);

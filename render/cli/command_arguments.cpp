@@ -79,6 +79,17 @@ Option WalkArguments::add_frames_to(Command command) {
       .show_default();
 }
 
+void WalkArguments::add_hold_to(Command command, Option region) {
+  constexpr double kShortest = 1e-9, kLongest = 1e9;
+  command
+      .add(
+          "--hold", hold_,
+          "cull for regions of eyes that reach so far ahead, in units of the model, and draw what the region leaves in each "
+          "frame that it holds for")
+      .in_range(kShortest, kLongest)
+      .excludes(region);
+}
+
 std::vector<Option> ReadArguments::add_to(Command command) {
   return {
       command.add_flag("--opaque-all", is_opaque_all_,
@@ -143,7 +154,7 @@ std::vector<Option> WalkArguments::add_common_to(Command command) {
       command
           .add("--method", method_,
                "frusta: the shadows of a few chosen occluders; cover: the joined shadows of all visible polygons, in a "
-               "coarse picture (default: frusta; of walk both, side by side, in detail by frusta)")
+               "coarse picture (default: frusta; of walk both, side by side, in detail by frusta; with --hold: cover)")
           .one_of({"frusta", "cover"}),
       command.add("--occluders", cull_.occluders, "occluders per frame; 0: view-frustum culling alone")
           .show_default()
@@ -227,7 +238,9 @@ render::WalkOptions WalkArguments::options() const {
   options.width = size.width;
   options.height = size.height;
   options.cull = cull_;
-  options.cull.method = method_ == "cover" ? culler::Method::cover : culler::Method::frusta;
+  options.hold = hold_;
+  const bool is_cover = method_.empty() ? hold_ > 0 : method_ == "cover";
+  options.cull.method = is_cover ? culler::Method::cover : culler::Method::frusta;
   const PictureSize cover = parse_size("--cover-size", cover_size_, culler::kLeastCoverSide, culler::kMostCoverSide);
   options.cull.cover.width = cover.width;
   options.cull.cover.height = cover.height;

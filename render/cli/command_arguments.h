@@ -53,6 +53,8 @@ class WalkArguments {
 
   void add_size_to(Command command);
   Option add_frames_to(Command command);
+  /// Adds --hold, which excludes --region.
+  void add_hold_to(Command command, Option region);
   /// Adds the options that affect culling and returns them.
   std::vector<Option> add_culling_to(Command command);
   /// Adds the options for reading a model, and --preprocess, which excludes those for preparing one. Returns --preprocess.
@@ -77,7 +79,7 @@ class WalkArguments {
   ReadArguments read_;
   BuildArguments build_;
   std::vector<Option> build_options_;  ///< and those of add_model_to(), once they are added
-  double pixel_margin_ = culler::kPixelMargin;
+  double pixel_margin_ = culler::kPixelMargin, hold_ = 0;
   culler::CullOptions cull_;
 };
 

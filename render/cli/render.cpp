@@ -14,10 +14,10 @@
 #include "commands.h"
 #include "occlude/render/console.h"
 #include "occlude/render/frame_painter.h"
+#include "occlude/render/frames_along_path.h"
 #include "occlude/render/interrupt.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/progress.h"
-#include "occlude/render/view_along_path.h"
 #include "occlude/render/why.h"
 #include "path_arguments.h"
 
@@ -78,12 +78,14 @@ void render_frames(const RenderArguments& arguments) {
   } else {
     const std::vector<std::size_t> frames = render::frames_of(path, options);
     pictures = frames.size();
-    render::ViewAlongPath along(culler, path, options, options.cull);
+    render::FramesAlongPath along(culler, path, options);
     render::Animation animation(file, static_cast<std::uint32_t>(frames.size()), arguments.fps);
     render::Progress progress("picture", frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const culler::Camera camera = path.camera(frames[i], render::aspect(options));
-      animation.add(draw(painter, camera, culler.cull(camera, options.cull, along.before(frames[i]))));
+      along.go_to(frames[i]);
+      along.cull();
+      animation.add(draw(painter, camera, along.result()));
       render::check_interrupt();
       progress.update(i + 1);
     }
@@ -121,7 +123,7 @@ void add_render(Command app, int&) {
   const auto a = std::make_shared<RenderArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   a->path.add_to(command, "camera path");
-  a->path.add_region_to(command);
+  a->walk.add_hold_to(command, a->path.add_region_to(command));
   add_output(command, "--out", a->out, "PNG file to write").required();
   command.add("--frame", a->frame, "number of the frame, from 0 (default: all of --frames, as an animated PNG)");
   command.add("--layer", a->layer, "what to draw: see below").show_default().one_of(names);

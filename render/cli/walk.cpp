@@ -50,8 +50,10 @@ bool is_path_of(const std::filesystem::path& folder, const PathArguments& path) 
   return std::filesystem::equivalent(folder / render::kPathFile, path.file(), error);
 }
 
-/// A culler of the same model for other options.
-culler::Culler culler_beside(const culler::Culler& culler, const std::string& model, const render::WalkOptions& options) {
+/// The culler of the walk beside: of the same model, and by another method prepared for that.
+culler::Culler culler_beside(const culler::Culler& culler, const std::string& model, const render::WalkOptions& walk,
+                             const render::WalkOptions& options) {
+  if (options.cull.method == walk.cull.method) return culler;
   return render::is_store(model) ? make_culler(render::ModelFile(model), options)
                                  : make_culler(render::model_of(culler), options);
 }
@@ -87,9 +89,9 @@ void walk(const WalkCommand& arguments, int& exit_code, const std::string& comma
   render::Summary summary = summarise(result, options, name);
   bool has_passed = render::passed(result);
   if (!arguments.walk.has_method()) {
-    const render::WalkOptions by_other = render::by_other_method(options);
-    const render::WalkResult other = walk_beside(culler_beside(culler, arguments.model, by_other), path, by_other);
-    summary.methods = render::methods_of({{options.cull.method, &result}, {by_other.cull.method, &other}}, options.render);
+    const render::WalkOptions beside = render::options_beside(options);
+    const render::WalkResult other = walk_beside(culler_beside(culler, arguments.model, options, beside), path, beside);
+    summary.methods = render::methods_of({{&options, &result}, {&beside, &other}}, options.render);
     has_passed = has_passed && render::passed(other);
   }
   exit_code = has_passed ? kDone : kCheckFailed;
@@ -123,7 +125,7 @@ void add_walk(Command app, int& exit_code, const std::string& command_line) {
   const auto a = std::make_shared<WalkCommand>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   a->path.add_to(command, "camera path");
-  a->path.add_region_to(command);
+  a->walk.add_hold_to(command, a->path.add_region_to(command));
   add_output(command, "--out", a->out, "folder to write to").show_default();
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);

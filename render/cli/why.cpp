@@ -112,7 +112,7 @@ void add_why(Command app, int& exit_code) {
   const auto a = std::make_shared<WhyArguments>();
   add_input(command, "MODEL", a->model, "model of the walk").required();
   a->path.add_to(command, "camera path of the walk");
-  a->path.add_region_to(command);
+  a->walk.add_hold_to(command, a->path.add_region_to(command));
   command.add("--frame", a->frame, "number of the frame, from 0").required();
   Command which = command.add_alternatives("which", "the polygon");
   which.add("--polygon", a->polygon, "number in the model file, from 0");

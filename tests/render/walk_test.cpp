@@ -190,7 +190,8 @@ TEST(Summary, TextAndPageShowItsFigures) {
 /// Two walks of the same frames: 40 of 100 polygons drawn, and 25.
 Summary two_methods(const WalkResult& frusta, const WalkResult& cover) {
   Summary summary = summarise(frusta, {}, "model.ply");
-  summary.methods = methods_of({{culler::Method::frusta, &frusta}, {culler::Method::cover, &cover}}, true);
+  const WalkOptions options, beside = options_beside(options);
+  summary.methods = methods_of({{&options, &frusta}, {&beside, &cover}}, true);
   return summary;
 }
 
@@ -247,11 +248,11 @@ TEST(Methods, ASingleOneStandsBesideTheViewFrustum) {
 TEST(Methods, TheOtherHasLeavesOfItsOwn) {
   WalkOptions options;
   options.build.hierarchy.leaf_size = culler::leaf_size_for(culler::Method::frusta);
-  EXPECT_EQ(by_other_method(options).cull.method, culler::Method::cover);
-  EXPECT_EQ(by_other_method(options).build.hierarchy.leaf_size, culler::leaf_size_for(culler::Method::cover));
-  EXPECT_EQ(by_other_method(by_other_method(options)).cull.method, culler::Method::frusta);
+  EXPECT_EQ(options_beside(options).cull.method, culler::Method::cover);
+  EXPECT_EQ(options_beside(options).build.hierarchy.leaf_size, culler::leaf_size_for(culler::Method::cover));
+  EXPECT_EQ(options_beside(options_beside(options)).cull.method, culler::Method::frusta);
   options.build.hierarchy.leaf_size = 7;
-  EXPECT_EQ(by_other_method(options).build.hierarchy.leaf_size, 7U);
+  EXPECT_EQ(options_beside(options).build.hierarchy.leaf_size, 7U);
 }
 
 TEST(ModelText, SaysWhatWasRead) {

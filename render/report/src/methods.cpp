@@ -34,9 +34,9 @@ MethodRow row(const std::string& method, const WalkResult& walk, bool is_drawn, 
 
 MethodRow row_of(const MethodWalk& of, bool is_drawn) {
   const WalkResult& walk = *of.walk;
-  MethodRow result = row(text_of(of.method), walk, is_drawn, &FrameRecord::rendered_polygons, &FrameRecord::cull_ms,
+  MethodRow result = row(method_text(*of.options), walk, is_drawn, &FrameRecord::rendered_polygons, &FrameRecord::cull_ms,
                          &FrameRecord::frame_ms);
-  result.by = of.method;
+  result.by = of.options->cull.method;
   if (!is_drawn) return result;
   result.wrong_pixels = result.false_culls = 0;
   for (const FrameRecord& record : walk.frames) {
@@ -63,7 +63,11 @@ Methods methods_of(const std::vector<MethodWalk>& walks, bool is_drawn) {
   return methods;
 }
 
-WalkOptions by_other_method(WalkOptions options) {
+WalkOptions options_beside(WalkOptions options) {
+  if (options.hold > 0) {
+    options.hold = 0;
+    return options;
+  }
   culler::Method& method = options.cull.method;
   std::uint32_t& leaf = options.build.hierarchy.leaf_size;
   const bool is_best = leaf == culler::leaf_size_for(method);
@@ -78,6 +82,10 @@ WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, con
 }
 
 const char* text_of(culler::Method method) { return method == culler::Method::cover ? "joined shadows" : "shadow frusta"; }
+
+std::string method_text(const WalkOptions& options) {
+  return std::string(text_of(options.cull.method)) + (options.hold > 0 ? ", held" : "");
+}
 
 Table table_of(const Methods& methods) {
   Table table{"",

@@ -41,7 +41,7 @@ Table table2_of(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
   const auto times = [](const std::optional<double>& ratio) { return ratio ? gain(ratio, kUnknown) : kUnknown; };
   return {
-      std::string("Table 2, by ") + text_of(summary.options.cull.method),
+      "Table 2, by " + method_text(summary.options),
       {{"Averages per frame"}, {"polygons"}, {"frames/s"}, {"the paper, its own model: polygons"}, {"frames/s"}},
       {{"View-frustum culling", mean.view_frustum_polygons, fps(mean.frame_ms_view_frustum_only, kUnknown), "49,196", "3.6"},
        {"With occlusion culling", mean.rendered_polygons, fps(mean.frame_ms, kUnknown), "29,749", "5.6"},

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -75,6 +76,44 @@ Summary::AboveLimit above_limit(const WalkResult& result, const Summary& summary
   return median && median->low > 1 ? Summary::AboveLimit::beyond_noise : Summary::AboveLimit::within_noise;
 }
 
+/// None if there are no values.
+std::optional<double> mean_value(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+Summary::Held held(const WalkResult& result) {
+  Summary::Held held;
+  std::vector<double> of_regions, of_frames;
+  for (const RegionRecord& region : result.regions) of_regions.push_back(region.cull_ms);
+  for (const FrameRecord& record : result.frames) {
+    if (record.region == 0) {
+      ++held.frames_by_point;
+    } else if (result.regions[record.region - 1].frame != record.frame) {
+      of_frames.push_back(record.cull_ms);
+    }
+  }
+  held.regions = of_regions.size();
+  held.region_ms = mean_value(of_regions);
+  held.frame_ms = mean_value(of_frames);
+  return held;
+}
+
+std::string held_text(const Summary& summary) {
+  const Summary::Held& held = *summary.held;
+  const auto ms = [](const std::optional<double>& mean) { return mean ? rounded(*mean, 2) + " ms" : "-"; };
+  return fmt::format(
+      "held: {} regions that reach {} ahead, {} of {} frames by point; a region takes {}, a frame between {}\n",
+      held.regions, summary.options.hold, held.frames_by_point, summary.frames, ms(held.region_ms), ms(held.frame_ms));
+}
+
+Json json_of(const Summary::Held& held) {
+  return {{"regions", held.regions},
+          {"frames_by_point", held.frames_by_point},
+          {"region_ms", if_known(held.region_ms)},
+          {"held_frame_ms", if_known(held.frame_ms)}};
+}
+
 }  // namespace
 
 const char* name_of(kernel::Near near) { return near == kernel::Near::surface ? "surface" : "farthest"; }
@@ -137,7 +176,8 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   summary.wrong_pixels = if_rendered(total_of(&FrameRecord::wrong_pixels));
   summary.snapped_pixels = if_rendered(total_of(&FrameRecord::snapped_pixels));
   summary.false_culls = if_rendered(total_of(&FrameRecord::false_culls));
-  summary.methods = methods_of({{options.cull.method, &result}}, options.render);
+  if (options.hold > 0) summary.held = held(result);
+  summary.methods = methods_of({{&options, &result}}, options.render);
   if (!result.missed.empty()) {
     summary.missed = {.method = options.cull.method, .frames = result.missed.size(), .counts = {}};
     for (const culler::MissedReasons::Counts& counts : result.missed) summary.missed->counts += counts;
@@ -172,6 +212,7 @@ std::string text_of(const Summary& summary, const Paint& paint) {
   std::string text =
       text_of(table_of(summary.methods)) + "\n" + text_of(table2_of(summary)) + "\n" + text_of(spread_table(summary));
   if (const std::string note = limit_note(summary); !note.empty()) text += note + '\n';
+  if (summary.held) text += held_text(summary);
   if (summary.options.render) {
     const bool is_right = *summary.false_culls == 0 && *summary.wrong_pixels == *summary.snapped_pixels;
     text += paint(is_right ? Colour::green : Colour::red,
@@ -180,7 +221,7 @@ std::string text_of(const Summary& summary, const Paint& paint) {
             '\n';
   }
   for (const MethodRow& m : summary.methods) {
-    const bool is_other = m.by && m.by != summary.options.cull.method;
+    const bool is_other = m.by && m.method != method_text(summary.options);
     const std::size_t false_culls = m.false_culls.value_or(0), wrong = m.wrong_pixels.value_or(0);
     if (is_other && false_culls + wrong != 0) {
       text += paint(Colour::red,
@@ -216,6 +257,7 @@ Json json_of(const WalkOptions& options, const culler::BuildConfig& build) {
           {"shapes", build.occluders.shells ? "polytope" : "polygon"},
           {"regions", build.lists.kind == culler::RegionKind::tree ? "tree" : "grid"},
           {"unions", options.cull.unions},
+          {"hold", options.hold > 0 ? Json(options.hold) : Json()},
           {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(printable(options.preprocess.native()))}};
 }
 
@@ -254,6 +296,7 @@ Json json_of(const Summary& summary) {
            {{"cull_ms", json_of(summary.spread.cull_ms)},
             {"frame_ms", json_of(summary.spread.frame_ms)},
             {"speedup", json_of(summary.spread.speedup)}}},
+          {"held", summary.held ? json_of(*summary.held) : Json()},
           {"culled_share", summary.culled_share},
           {"culled_share_of_hidden", if_known(summary.culled_share_of_hidden)},
           {"speedup", if_known(summary.speedup)},
@@ -280,17 +323,17 @@ std::string frames_csv(const WalkResult& result) {
       "occluders,potential_occluders,candidates,sort_kept,sort_moves,nodes_visited,view_tests,shadow_tests,probe_tests,"
       "exact_shadow_tests,view_culled_polygons,shadow_"
       "culled_polygons,"
-      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms,occlusion_first\n";
+      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms,occlusion_first,region\n";
   for (const FrameRecord& r : result.frames) {
     fmt::format_to(
         std::back_inserter(csv),
-        "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f},{:d}\n", r.frame,
-        r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms, r.view_frustum_frame_ms,
-        r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders, r.stats.occluders_in_view, r.stats.sort_kept,
-        r.stats.sort_moves, r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests, r.stats.probe_tests,
-        r.stats.exact_shadow_tests, r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels,
-        r.snapped_pixels, r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms,
-        r.is_occlusion_first);
+        "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f},{:d},{}\n",
+        r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
+        r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders, r.stats.occluders_in_view,
+        r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests,
+        r.stats.probe_tests, r.stats.exact_shadow_tests, r.stats.view_culled_polygons, r.stats.shadow_culled_polygons,
+        r.wrong_pixels, r.snapped_pixels, r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms,
+        r.is_occlusion_first, r.region);
   }
   return csv;
 }

@@ -3,17 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "occlude/render/missed_report.h"
+#include "occlude/render/view_planes.h"
 #include "page_camera.h"
 #include "page_details.h"
 #include "page_frames.h"
 #include "page_model.h"
 #include "page_pieces.h"
 #include "page_vain.h"
-#include "view_planes.h"
 
 namespace occlude::render {
 namespace {
@@ -88,6 +89,13 @@ struct WalkRecording::Impl {
     return list;
   }
 
+  /// The names of the half-spaces of a frame.
+  [[nodiscard]] Json planes() const {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < most_planes; ++i) list.push_back(name_of_plane(i, camera));
+    return list;
+  }
+
   PageModel model;
   PageFrames frames;
   PageDetails details;
@@ -95,6 +103,7 @@ struct WalkRecording::Impl {
   bool has_covers = false;
   PageVain vain;
   std::size_t drawn = 0;           ///< frames
+  std::size_t most_planes = 0;     ///< of a frame's view
   culler::Camera camera;           ///< of the last frame
   std::string eyes, targets, ups;  ///< of all frames, numbers with commas
   bool is_tilted = false;          ///< whether `up` changes
@@ -118,6 +127,7 @@ void WalkRecording::add_frame(const ShownFrame& frame) {
   }
   if (!impl_->eyes.empty()) impl_->is_tilted = impl_->is_tilted || frame.camera.up != impl_->camera.up;
   impl_->camera = frame.camera;
+  impl_->most_planes = std::max(impl_->most_planes, frame.culled.view.size());
   const auto append = [](std::string& list, const glm::dvec3& v) {
     fmt::format_to(std::back_inserter(list), "{}{:.9g},{:.9g},{:.9g}", list.empty() ? "" : ",", v.x, v.y, v.z);
   };
@@ -145,7 +155,7 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
                       {"outlines", impl_->outlines(numbers)},
                       {"alone", impl_->hiders_alone()},
                       {"reasons", reasons()},
-                      {"planes", kViewPlanes}};
+                      {"planes", impl_->planes()}};
   return {{"scene", scene.dump()},
           {"path", fmt::format(R"({{"eyes":[{}],"targets":[{}]{}}})", impl_->eyes, impl_->targets,
                                impl_->is_tilted ? fmt::format(R"(,"ups":[{}])", impl_->ups) : "")},

@@ -19,7 +19,7 @@
 #include "occlude/render/interrupt.h"
 #include "occlude/render/missed_report.h"
 #include "occlude/render/plates.h"
-#include "view_planes.h"
+#include "occlude/render/view_planes.h"
 
 namespace occlude::render {
 namespace {
@@ -107,8 +107,8 @@ class Text {
     add_polygon();
     add_node();
     if (became_ == Became::out_of_view) {
-      add("  by the {} plane of the view: the box is beyond it by {:.6g}", kViewPlanes[account.cull->index],
-          account.beyond_view);
+      add("  by the {} plane of the view: the box is beyond it by {:.6g}",
+          name_of_plane(account.cull->index, frame.camera()), account.beyond_view);
     } else if (account_.cull && account_.cull->by == culler::Culled::By::cover) {
       add_cover();
     } else if (became_ == Became::in_shadow) {
@@ -204,9 +204,9 @@ Json json_of_shadow(const culler::Culler& culler, const culler::Occluder& occlud
           {"edge", edge ? Json{json_of((*edge)[0]), json_of((*edge)[1])} : Json()}};
 }
 
-Json json_of_plane(const culler::CullResult& frame, const Account& a) {
-  const culler::HalfSpace& h = frame.view[a.cull->index];
-  return {{"name", kViewPlanes[a.cull->index]},
+Json json_of_plane(const ReplayedFrame& frame, const Account& a) {
+  const culler::HalfSpace& h = frame.result().view[a.cull->index];
+  return {{"name", name_of_plane(a.cull->index, frame.camera())},
           {"coefficients", {h.normal.x, h.normal.y, h.normal.z, h.offset}},
           {"distance", a.beyond_view}};
 }
@@ -230,7 +230,7 @@ std::string to_json(const ReplayedFrame& frame, const Account& a) {
                {"fate", kFates[static_cast<std::size_t>(became(a))]},
                {"pixels", a.pixels},
                {"node", {{"index", a.node}, {"polygons", node.count}, {"box", json_of(node.box)}}}};
-  json["plane"] = became(a) == Became::out_of_view ? json_of_plane(frame.result(), a) : Json();
+  json["plane"] = became(a) == Became::out_of_view ? json_of_plane(frame, a) : Json();
   json["shadows"] = Json::array();
   for (const AgainstShadow& s : a.shadows) {
     json["shadows"].push_back(json_of_shadow(culler, frame.result().occluders[s.occluder], s.clearance));

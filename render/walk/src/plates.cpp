@@ -8,7 +8,7 @@
 #include <span>
 
 #include "occlude/render/frame_painter.h"
-#include "occlude/render/view_along_path.h"
+#include "occlude/render/frames_along_path.h"
 
 namespace occlude::render {
 namespace {
@@ -84,11 +84,13 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
   WalkOptions walk = options;
   walk.width = kWidth;
   walk.height = kHeight;
-  ViewAlongPath along(culler, path, walk, walk.cull);
+  FramesAlongPath along(culler, path, walk);
   std::vector<DrawnPlate> plates;
   for (const auto& [record, what] : moments(frames)) {
     const culler::Camera camera = path.camera(record->frame, aspect(walk));
-    const culler::CullResult& result = culler.cull(camera, walk.cull, along.before(record->frame));
+    along.go_to(record->frame);
+    along.cull();
+    const culler::CullResult& result = along.result();
     const std::string name = fmt::format("frame_{:06}", record->frame);
     plates.push_back({{name + "_view.png", fmt::format("Frame {}, {}: the view of the camera.", record->frame, what)},
                       painter.view(camera, result.drawn)});

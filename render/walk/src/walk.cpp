@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "frame/culler_access.h"
@@ -20,11 +21,11 @@ namespace occlude::render {
 namespace {
 
 /// Counts the operations of the frame's shadow tests and passes the tests to on_shadow_test.
-kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::Camera& camera,
-                                      const culler::CullResult& culled, const WalkOptions& options) {
+kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const CulledFor& source,
+                                      const WalkOptions& options) {
   kernel::Operations total;
   culler::visit_shadow_tests(
-      culler, culled, camera, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
+      culler, source.result, source.camera, source.options, [&](const culler::Occluder& occluder, const culler::Box& box) {
         check_interrupt();
         total += std::visit(
             [&](const auto& kind) {
@@ -42,13 +43,26 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
 /// none is left unknown.
 constexpr std::size_t kMostWork = culler::MissedReasons::kMostWork / 4;
 
-/// Why the frame drew what it does not show; nothing if that is not known.
-std::optional<culler::MissedReasons::Answers> missed_by(const FinishedFrame& frame, const culler::Culler& culler,
-                                                        const culler::Camera& camera, const culler::CullOptions& options) {
+/// Why the frame drew what it does not show; nothing if that is not known. Of a frame that is held, why its region drew it.
+std::optional<culler::MissedReasons::Answers> missed_by(const FinishedFrame& frame, const culler::Culler& culler) {
   if (!frame.visible) return std::nullopt;
-  std::vector<bool> shows(culler.hierarchy().soup().size());
+  // What the frame does not draw is not asked.
+  std::vector<bool> shows(culler.hierarchy().soup().size(), true);
+  for (const auto& [first, count] : frame.culled.drawn) std::fill_n(shows.begin() + first, count, false);
   for (const std::uint32_t p : *frame.visible) shows[p] = true;
-  return culler::MissedReasons(culler, camera, options, frame.culled).answers(shows, check_interrupt, kMostWork);
+  const auto& [camera, options, result] = frame.source;
+  return culler::MissedReasons(culler, camera, options, result).answers(shows, check_interrupt, kMostWork);
+}
+
+/// What hides what the frame culls by cover. `of_source` hides what its source does.
+std::vector<culler::CoverWitness> covers_in(const FinishedFrame& frame, const culler::Culler& culler,
+                                            const std::vector<culler::CoverWitness>& of_source) {
+  std::vector<culler::CoverWitness> covers;
+  std::ranges::copy_if(of_source, std::back_inserter(covers), [&](const culler::CoverWitness& cover) {
+    const culler::Culled* const cull = culler.cull_of(frame.culled, cover.range.first);
+    return cull && cull->by == culler::Culled::By::cover;
+  });
+  return covers;
 }
 
 }  // namespace
@@ -72,6 +86,10 @@ std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& op
 namespace {
 
 void prepare(const culler::Culler& culler, const WalkOptions& options) {
+  // A frame that is held asks for the axis-aligned box of each leaf, and no proof is of two kinds of box.
+  if (options.hold > 0 && culler.config().hierarchy.bounds == culler::Bounds::obb) {
+    throw InputError("--hold: frames are held with axis-aligned boxes alone: not with --bounds obb");
+  }
   culler.prepare(options.cull.method, check_interrupt);
   // The first frame by the view frustum alone makes what the others need.
   static_cast<void>(culler.cull(culler::Camera{}, {.occluders = 0}));
@@ -117,17 +135,26 @@ WalkResult walk(const culler::Culler& culler, const CameraPath& path, const Walk
   std::vector<culler::MissedReasons::Counts> missed;
   std::size_t witnesses = 0;
   std::vector<std::string> lines;
+  std::vector<culler::CoverWitness> of_source;  // of the region, or of the frame itself
+  std::size_t region = 0;
   const auto on_frame = [&](const FinishedFrame& finished) {
     const std::size_t frame = finished.record.frame;
+    const auto& [source_camera, source_options, source] = finished.source;
+    if (finished.record.region == 0 || finished.record.region != region) {
+      of_source = covers_of(culler, source_camera, source, source_options);
+      region = finished.record.region;
+    }
+    const std::vector<culler::CoverWitness> covers = covers_in(finished, culler, of_source);
     const culler::Camera camera = path.camera(frame, aspect(options));
-    const std::vector<culler::CoverWitness> covers = covers_of(culler, camera, finished.culled, options.cull);
-    const auto reasons = missed_by(finished, culler, camera, options.cull);
+    const auto reasons = missed_by(finished, culler);
     output.add_frame({finished.record, camera, finished.culled, covers, finished.visible, reasons ? &*reasons : nullptr});
     if (reasons) missed.push_back(culler::MissedReasons::count(*reasons));
-    if (finished.is_reference) operations += visit_shadow_tests(culler, frame, camera, finished.culled, options);
+    if (finished.is_reference) operations += visit_shadow_tests(culler, frame, finished.source, options);
     if (!options.witness) return;
     lines.clear();
-    append_witnesses(lines, frame, camera, culler, finished.culled, options.cull, covers);
+    const bool is_held = finished.record.region != 0;
+    append_witnesses(lines, frame, camera, culler, finished.culled, options.cull, covers,
+                     is_held ? &source_camera : nullptr);
     for (const std::string& line : lines) output.add_witness(line);
     witnesses += lines.size();
   };

@@ -7,7 +7,6 @@
 #include "model/append_range.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/stopwatch.h"
-#include "occlude/render/view_along_path.h"
 
 namespace occlude::render {
 namespace {
@@ -20,19 +19,22 @@ class Walker {
     view_only_.arithmetic = options.cull.arithmetic;
   }
 
-  /// Culls, draws and compares one frame; `view` is the one of the previous frames.
-  FrameRecord frame(std::size_t frame, bool reference, culler::View& view) {
+  /// Culls, draws and compares one frame. REQUIRES: `along` has gone to it.
+  FrameRecord frame(std::size_t frame, bool reference, FramesAlongPath& along) {
     FrameRecord record;
     record.frame = frame;
     const culler::Camera camera = path_.camera(frame, aspect(options_));
     Picture full, picture;
     const auto with_view_frustum = [&] {
-      const Timing timing = timed(camera, view_only_, view_without_, full);
+      const Timing timing = timed(
+          camera, [&] { culler_.cull(camera, view_only_, view_without_); },
+          [&]() -> const culler::CullResult& { return view_without_.result(); }, full);
       record.view_frustum_cull_ms = timing.cull_ms;
       record.view_frustum_frame_ms = timing.frame_ms;
     };
     const auto with_occlusion = [&] {
-      const Timing timing = timed(camera, options_.cull, view, picture);
+      const Timing timing = timed(
+          camera, [&] { along.cull(); }, [&]() -> const culler::CullResult& { return along.result(); }, picture);
       record.cull_ms = timing.cull_ms;
       record.witness_ms = timing.witness_ms;
       record.frame_ms = timing.frame_ms;
@@ -44,7 +46,8 @@ class Walker {
     with_view_frustum();
     if (!is_occlusion_first_) with_occlusion();
     is_occlusion_first_ = !is_occlusion_first_;
-    const culler::CullResult& culled = view.result();
+    const culler::CullResult& culled = along.result();
+    record.region = along.region();
     record.view_frustum_polygons = view_without_.result().stats.drawn_polygons;
     record.rendered_polygons = culled.stats.drawn_polygons;
     record.occluders = culled.occluders.size();
@@ -67,13 +70,15 @@ class Walker {
     double cull_ms = 0, witness_ms = 0, frame_ms = 0;
   };
 
-  /// Also collects the witnesses, outside the frame time.
-  Timing timed(const culler::Camera& camera, const culler::CullOptions& options, culler::View& view, Picture& picture) {
+  /// Times `cull`, and drawing its result. Also collects the witnesses, outside the frame time.
+  template <class Cull, class Result>
+  Timing timed(const culler::Camera& camera, const Cull& cull, const Result& result_of, Picture& picture) {
     check_interrupt();
     Timing timing;
     const Stopwatch culling;
-    const culler::CullResult& result = culler_.cull(camera, options, view);
+    cull();
     timing.cull_ms = culling.milliseconds();
+    const culler::CullResult& result = result_of();
     witnesses_.clear();
     const Stopwatch proving;
     culler_.append_witnesses(result, witnesses_);
@@ -133,19 +138,21 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
   result.renderer = drawing.description();
   Walker walker(culler, path, options, drawing.renderer.get());
   {
-    culler::View warm_up;  // the first picture includes one-time work of the renderer
+    FramesAlongPath warm_up(culler, path, options);  // the first picture includes one-time work of the renderer
+    warm_up.go_to(frames.front());
     static_cast<void>(walker.frame(frames.front(), false, warm_up));
   }
-  ViewAlongPath along(culler, path, options, options.cull);
+  FramesAlongPath along(culler, path, options);
   Progress progress("frame", frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const bool is_reference = i % step == 0;
-    culler::View& view = along.before(frames[i]);
-    result.frames.push_back(walker.frame(frames[i], is_reference, view));
+    along.go_to(frames[i]);
+    result.frames.push_back(walker.frame(frames[i], is_reference, along));
     if (is_reference && options.render) ++result.reference_frames;
-    if (on_frame) on_frame({result.frames.back(), view.result(), walker.visible(), is_reference});
+    if (on_frame) on_frame({result.frames.back(), along.result(), along.source(), walker.visible(), is_reference});
     progress.update(i + 1);
   }
+  result.regions = along.regions();
   return result;
 }
 

@@ -16,7 +16,7 @@ namespace occlude::render {
 
 ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
                              std::size_t frame)
-    : culler_(culler), options_(options), number_(frame), along_(culler, path, options, options.cull) {
+    : culler_(culler), options_(options), number_(frame), along_(culler, path, options) {
   const std::size_t begin = frames_of(path, options).front(), end = std::min(options.end, path.frames);
   if (frame < begin || frame >= end) {
     throw InputError(fmt::format("the walk has no frame {}: it has frames {} to {}", frame, begin, end - 1));
@@ -25,16 +25,19 @@ ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& pat
   const std::size_t first = along_.has_past() ? begin : frame;
   Progress progress("frame", frame + 1 - first);
   for (std::size_t f = first; f <= frame; ++f) {
-    culler.cull(path.camera(f, aspect(options)), options.cull, along_.before(f));
+    along_.go_to(f);
+    along_.cull();
     progress.update(f + 1 - first);
   }
+  result_ = &along_.result();
 }
 
 namespace {
 
 /// The polygons that hide the culled subtree, or the part of it that contains the polygon.
 std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, std::uint32_t polygon) {
-  for (const culler::CoverWitness& cover : covers_of(frame.culler(), frame.camera(), frame.result(), frame.options().cull)) {
+  const auto& [camera, options, result] = frame.source();
+  for (const culler::CoverWitness& cover : covers_of(frame.culler(), camera, result, options)) {
     if (polygon >= cover.range.first && polygon - cover.range.first < cover.range.count) return cover.polygons;
   }
   return {};
@@ -83,7 +86,8 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   for (std::uint32_t i = 0; i < result.occluders.size(); ++i) account.shadows.push_back(against(result, i, own));
   std::ranges::stable_sort(account.shadows, std::greater{}, [](const AgainstShadow& a) { return a.clearance.distance; });
   if (account.pixels == 0) {
-    account.missed = culler::MissedReasons(culler, frame.camera(), frame.options().cull, result).answer(polygon);
+    const auto& [camera, options, source] = frame.source();
+    account.missed = culler::MissedReasons(culler, camera, options, source).answer(polygon);
   }
   return account;
 }

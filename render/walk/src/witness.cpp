@@ -8,6 +8,7 @@
 
 #include "frame/culler_access.h"
 #include "occlude/render/input_limits.h"
+#include "occlude/render/view_planes.h"
 
 namespace occlude::render {
 namespace {
@@ -178,21 +179,23 @@ class Lines {
 
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const AnyCamera& camera,
                       const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options,
-                      std::span<const culler::CoverWitness> covers) {
+                      std::span<const culler::CoverWitness> covers, const culler::Camera* region) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   const Reasons reasons(culler, result, options.shadow_near);
-  Lines of_frame(lines, frame, camera, hierarchy);
+  Lines of_frame(lines, frame, camera, hierarchy), of_region(lines, frame, region ? *region : camera, hierarchy);
+  const std::size_t own_planes = region ? view_planes_of(std::get<culler::Camera>(camera)) : result.view.size();
   // The margins of shadows are from the eye in the middle.
-  const bool has_margins = std::visit([](const auto& c) { return c.eyes.is_point(); }, camera);
+  const bool has_margins = !region && std::visit([](const auto& c) { return c.eyes.is_point(); }, camera);
   std::vector<culler::Witness> witnesses;
   culler.append_witnesses(result, witnesses);
   for (const auto& [culled, margin] : witnesses) {
     if (culled.by == culler::Culled::By::cover) continue;
     const culler::HierarchyNode& node = hierarchy.nodes()[culled.node];
     const std::string beyond = has_margins ? fmt::format(R"(,"margin":{})", margin) : "";
-    of_frame.append({node.first, node.count}, hierarchy.volume(culled.node), reasons.of(culled) + beyond);
+    Lines& its = culled.by == culler::Culled::By::view && culled.index < own_planes ? of_frame : of_region;
+    its.append({node.first, node.count}, hierarchy.volume(culled.node), reasons.of(culled) + beyond);
   }
-  for (const culler::CoverWitness& cover : covers) of_frame.append_cover(cover);
+  for (const culler::CoverWitness& cover : covers) of_region.append_cover(cover);
 }
 
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const AnyCamera& camera,

@@ -29,9 +29,9 @@ struct MethodRow {
 
 using Methods = std::vector<MethodRow>;
 
-/// A walk, and the method by which it culled.
+/// A walk, and the options by which it culled.
 struct MethodWalk {
-  culler::Method method;
+  const WalkOptions* options;
   const WalkResult* walk;
 };
 
@@ -39,13 +39,16 @@ struct MethodWalk {
 /// if frames were drawn. REQUIRES: at least one walk.
 [[nodiscard]] Methods methods_of(const std::vector<MethodWalk>& walks, bool is_drawn);
 
-/// The options of the same walk by the other method, with leaves of the size that is best for it if that is so now.
-[[nodiscard]] WalkOptions by_other_method(WalkOptions options);
+/// The options of the same walk by the other method, with leaves of the size that is best for it if that is so now. Of a
+/// walk that holds: by the same method, culled in each frame.
+[[nodiscard]] WalkOptions options_beside(WalkOptions options);
 /// Walks without a report. REQUIRES: the culler is that of make_culler() with these options.
 [[nodiscard]] WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options);
 
 /// In words: "shadow frusta" or "joined shadows".
 [[nodiscard]] const char* text_of(culler::Method method);
+/// The same of a walk, and whether it holds.
+[[nodiscard]] std::string method_text(const WalkOptions& options);
 
 [[nodiscard]] Table table_of(const Methods& methods);
 

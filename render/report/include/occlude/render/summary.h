@@ -38,12 +38,21 @@ struct Summary {
     std::optional<Spread> cull_ms, frame_ms, speedup;
   };
 
+  /// Of a walk that holds.
+  struct Held {
+    std::size_t regions = 0;          ///< that were culled, whether for counted frames or for those between
+    std::size_t frames_by_point = 0;  ///< culled for themselves, because no region held
+    std::optional<double> region_ms;  ///< to cull a region: mean
+    std::optional<double> frame_ms;   ///< to cull a frame for which no region was: mean
+  };
+
   std::string model;
   std::size_t polygons = 0, see_through_polygons = 0, triangles = 0, frames = 0;
   WalkOptions options;
   culler::BuildConfig build;
   Mean mean;
   Spreads spread;
+  std::optional<Held> held;
   double culled_share = 0;  ///< of the polygons in the view frustum
   std::optional<double> culled_share_of_hidden;
   std::optional<double> speedup;

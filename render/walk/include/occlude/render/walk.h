@@ -36,6 +36,8 @@ struct WalkOptions {
               step = 1;  ///< frames drawn, compared and counted: begin, begin + step, ... below end
   ReadOptions read;
   culler::CullOptions cull;
+  /// How far ahead of the eye the regions reach that frames are held by, model units; 0: each frame is culled for itself.
+  double hold = 0;
   culler::BuildConfig build;
   std::filesystem::path preprocess;                       ///< store of the model, used instead of `build`; or empty
   bool render = true;                                     ///< draw and compare; if false, only culling is measured
@@ -49,7 +51,8 @@ struct WalkOptions {
 }
 
 /// The culler of a walk, prepared for its method: from the store if one is named, else built now. Throws InputError as
-/// read_store() does, also for a store of another model, and Interrupted on Ctrl-C.
+/// read_store() does, also for a store of another model, and for oriented boxes in a walk that holds, and Interrupted on
+/// Ctrl-C.
 [[nodiscard]] culler::Culler make_culler(culler::PolygonSoup soup, const WalkOptions& options);
 
 /// A model's file before it is prepared. A store is opened only by make_culler().
@@ -87,6 +90,8 @@ struct FrameRecord {
   bool is_occlusion_first = false;  ///< the two methods take turns in going first
   double visible_frame_ms = 0;      ///< time to draw only the visible polygons, without culling
   double witness_ms = 0;            ///< time to keep the proofs of all culls in memory, on top of cull_ms
+  /// Of a walk that holds: the number of the region that held for it, from 1; 0: it was culled for itself.
+  std::size_t region = 0;
   std::size_t occluders = 0;
   culler::CullStats stats;
   /// Pixels at which the pictures of the two methods differ, and those of them explained by the renderer's rounding of
@@ -94,6 +99,14 @@ struct FrameRecord {
   std::size_t wrong_pixels = 0, snapped_pixels = 0;
   /// Culled polygons that have a pixel in the item buffer which this rounding does not explain.
   std::size_t false_culls = 0;
+};
+
+/// A region of eyes that was culled for frames of a walk that holds.
+struct RegionRecord {
+  std::size_t frame = 0;  ///< the first
+  double cull_ms = 0;
+  glm::dvec3 center{};
+  culler::EyeRegion eyes;  ///< relative to the centre
 };
 
 struct Plate {
@@ -106,6 +119,7 @@ struct WalkResult {
   std::size_t see_through_polygons = 0;     ///< of the model
   culler::BuildConfig build;                ///< how the model was prepared: by the options or in its store
   std::vector<FrameRecord> frames;
+  std::vector<RegionRecord> regions;  ///< in their order; those of frames that are not counted, too
   /// For each frame why it drew what is hidden; empty if the walk does not render.
   std::vector<culler::MissedReasons::Counts> missed;
   std::size_t reference_frames = 0;  ///< frames whose item buffer was drawn from the whole model, without culling

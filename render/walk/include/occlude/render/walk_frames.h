@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "occlude/culler/culler.h"
+#include "occlude/render/frames_along_path.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/scene_renderer.h"
 #include "occlude/render/walk.h"
@@ -30,6 +31,7 @@ struct Drawing {
 struct FinishedFrame {
   const FrameRecord& record;
   const culler::CullResult& culled;
+  const CulledFor& source;                    ///< as FramesAlongPath::source()
   const std::vector<std::uint32_t>* visible;  ///< polygons with a pixel, ascending; null if nothing is drawn
   bool is_reference;
 };

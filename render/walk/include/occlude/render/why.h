@@ -10,8 +10,8 @@
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/clearance.h"
 #include "occlude/render/camera_path.h"
+#include "occlude/render/frames_along_path.h"
 #include "occlude/render/image.h"
-#include "occlude/render/view_along_path.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::render {
@@ -27,14 +27,17 @@ class ReplayedFrame {
   [[nodiscard]] const WalkOptions& options() const { return options_; }
   [[nodiscard]] std::size_t number() const { return number_; }
   [[nodiscard]] const culler::Camera& camera() const { return camera_; }
-  [[nodiscard]] const culler::CullResult& result() const { return along_.view().result(); }
+  [[nodiscard]] const culler::CullResult& result() const { return *result_; }
+  /// As FramesAlongPath::source().
+  [[nodiscard]] CulledFor source() const { return along_.source(); }
 
  private:
   const culler::Culler& culler_;
   const WalkOptions& options_;
   std::size_t number_;
   culler::Camera camera_;
-  ViewAlongPath along_;
+  FramesAlongPath along_;
+  const culler::CullResult* result_ = nullptr;
 };
 
 /// The position of a box relative to the shadow of one of the frame's occluders.

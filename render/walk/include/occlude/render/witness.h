@@ -29,10 +29,11 @@ template <class OneCamera>
 
 /// Appends one line, without line break, for each culled subtree of a frame. If the leaves of the tree are not of the size
 /// that is best for frusta, each line has their size: the order of the triangles depends on it. REQUIRES: `camera` is
-/// that of the frame, which was culled with these options; `covers` are covers_of() it.
+/// that of the frame, which was culled with these options; `covers` are covers_of() it. Of a frame that is held, `region` is
+/// the camera of its region: what hides is proved for all its eyes, and so are half-spaces beyond the camera's own.
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const AnyCamera& camera,
                       const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options,
-                      std::span<const culler::CoverWitness> covers);
+                      std::span<const culler::CoverWitness> covers, const culler::Camera* region = nullptr);
 
 /// The same for each culled object of a scene. REQUIRES: `view` is that of the frame, `objects` has the polygons of each
 /// object by its slot, and meshes of occluders are the soup of the tree.
