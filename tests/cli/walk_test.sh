@@ -203,6 +203,35 @@ expect_error "--method" "$occlude" walk good.ply --path path.json --out out --me
 expect_error "--pixel-margin" "$occlude" walk good.ply --path path.json --out out --pixel-margin nan
 expect_error "--leaf" "$occlude" walk good.ply --path path.json --out out --leaf 0
 
+# The same walk, held by regions of eyes. They are the same each time, and their proofs are for all eyes of each.
+for method in cover frusta; do
+  held="--hold 0.5 --method $method --leaf 1"
+  "$occlude" walk good.ply --path path.json --out held --size 64x36 $held --witness held.jsonl >stdout || fail "walk --hold by $method"
+  grep -q 'false culls 0, wrong pixels 0' stdout || fail "walk --hold by $method said: $(cat stdout)"
+  grep -q '^held: [1-9][0-9]* regions that reach 0.5 ahead, one for [0-9.]* frames; .* 0 of 4 frames by point$' stdout || fail "walk --hold said: $(cat stdout)"
+  grep -q '"hold": 0.5,' held/summary.json && grep -q '"frames_by_point": 0,' held/summary.json || fail "the summary does not tell that frames are held"
+  grep -q ',[1-9][0-9]*$' held/frames.csv || fail "frames.csv has no regions"
+  grep -q '"eyes":{"center":\[.*"by":"shadow"\|"eyes":{"center":\[.*"by":"cover","focus"' held.jsonl || fail "no proof of a region by $method"
+  "$occlude" validate good.ply --path path.json --witness held.jsonl >stdout || fail "validate what a region of $method hides: $(cat stdout)"
+  grep -q "^$(wc -l <held.jsonl) of $(wc -l <held.jsonl) witnesses proved" stdout || fail "validate --hold said: $(cat stdout)"
+  "$occlude" walk good.ply --path path.json --out held --size 64x36 $held --witness again.jsonl >/dev/null && cmp -s held.jsonl again.jsonl ||
+    fail "two walks by $method hold otherwise"
+  "$occlude" why good.ply --path path.json --size 64x36 $held --frame 2 --polygon 40 >stdout || fail "why --hold"
+  grep -q '^frame 2, polygon 40: culled: in shadow$' stdout || fail "why --hold by $method said: $(cat stdout)"
+  "$occlude" render good.ply --path path.json --size 64x36 $held --frame 2 --out held.png >/dev/null && [ -s held.png ] || fail "render --hold"
+done
+"$occlude" walk good.ply --path path.json --out held --size 64x36 --hold 0.5 >stdout || fail "walk --hold"
+for method in 'joined shadows, held' 'joined shadows'; do
+  grep -q "^$method  *[0-9]" stdout || fail "walk --hold has no $method in the table: $(cat stdout)"
+done
+"$occlude" walk good.ply --path parallel.json --out held --size 64x36 --hold 0.5 --witness parallel.jsonl >stdout || fail "parallel rays, held: $(cat stdout)"
+"$occlude" validate good.ply --path parallel.json --witness parallel.jsonl --size 64x36 >stdout 2>&1 || fail "parallel rays, held: $(cat stdout)"
+expect_error "--hold" "$occlude" walk good.ply --path path.json --out out --hold 0
+expect_error "--hold" "$occlude" walk good.ply --path path.json --out out --hold -1
+expect_error "--hold" "$occlude" walk good.ply --path path.json --out out --hold 2m
+expect_error "--region excludes --hold" "$occlude" walk good.ply --path path.json --out out --hold 1 --region 1
+expect_error "not with --bounds obb" "$occlude" walk good.ply --path path.json --out out --hold 1 --bounds obb
+
 # When interrupted, it leaves nothing behind.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
 interrupt INT "$occlude" walk city.ply --path city.json --out stopped --witness stopped.jsonl

@@ -21,6 +21,7 @@ echo '{"frames":2,"keyframes":[{"eye":[0,0,90],"target":[9,9,80],"up":[0,0,1]},{
 printf 'newmtl glass\nd 0.5\n' >glass.mtl
 echo '{"frames":2,"keyframes":[{"eye":[0,0,0],"target":[4,0,0]},{"eye":[0,0,0],"target":[4,0,0]}]}' >towards.json
 "$occlude" walk glass.obj --path towards.json --size 320x180 --out glass >/dev/null || fail "walk to glass"
+"$occlude" walk city.ply "${frames[@]}" --method cover --hold 40 --out held >/dev/null || fail "walk that holds"
 "$occlude" walk city.ply "${frames[@]}" --no-render --out undrawn >/dev/null || fail "walk --no-render"
 
 "$python" -B "$tests/page_test.py" "$occlude" || fail "page_test.py"

@@ -66,6 +66,25 @@ TEST_F(SteppedWalk, WhyTellsOfTheCullsOfTheWalk) {
   }
 }
 
+TEST_F(SteppedWalk, HoldsInTheSameRegions) {
+  for (const culler::Method method : {culler::Method::frusta, culler::Method::cover}) {
+    WalkOptions every_frame = options(1), stepped = options(kStep);
+    for (WalkOptions* const walk : {&every_frame, &stepped}) {
+      walk->cull.method = method;
+      walk->hold = 4;
+    }
+    Record every, some;
+    const WalkResult all = walk(make_culler(city_.soup, every_frame), city_.path, every_frame, "city", every);
+    const WalkResult few = walk(make_culler(city_.soup, stepped), city_.path, stepped, "city", some);
+    ASSERT_EQ(some.witnesses.size(), 3U);
+    for (const auto& [frame, lines] : some.witnesses) EXPECT_EQ(lines, every.witnesses[frame]) << frame;
+    ASSERT_EQ(few.frames.size(), 3U);
+    for (const FrameRecord& frame : few.frames) EXPECT_EQ(frame.region, all.frames[frame.frame - 3].region) << frame.frame;
+    EXPECT_GT(all.regions.size(), 1U);
+    EXPECT_LT(all.regions.size(), all.frames.size() / 2);
+  }
+}
+
 TEST_F(SteppedWalk, TheMethodsTakeTurnsInGoingFirst) {
   for (const std::size_t step : {1U, 2U}) {
     WalkOptions stepped = options(step);

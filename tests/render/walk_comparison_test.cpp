@@ -51,6 +51,8 @@ Json whole_summary() {
   summary.mean.frame_ms = summary.mean.frame_ms_view_frustum_only = summary.mean.frame_ms_visible_only = 1;
   summary.culled_share_of_hidden = summary.speedup = summary.limit_by_polygons = summary.limit_by_visible = 1;
   summary.wrong_pixels = summary.snapped_pixels = summary.false_culls = 0;
+  summary.options.hold = 2;
+  summary.held = {.regions = 3, .frames_by_point = 0, .region_ms = 5, .frame_ms = 1, .frames_a_region = 20};
   return json_of(summary);
 }
 

@@ -172,7 +172,7 @@ std::string page_of(const Summary& summary, const WalkResult& result) {
   WalkRecording recording(culler);
   const culler::CullResult culled = culler.cull(culler::Camera{});
   recording.add_frame({result.frames[0], culler::Camera{}, culled, {}, nullptr, nullptr});
-  return walk_page(summary, {result.frames, result.missed, recording, {}, "occlude walk 'a<b.ply'", "{}"});
+  return walk_page(summary, {result.frames, result.regions, result.missed, recording, {}, "occlude walk 'a<b.ply'", "{}"});
 }
 
 TEST(Summary, TextAndPageShowItsFigures) {
@@ -243,6 +243,56 @@ TEST(Methods, ASingleOneStandsBesideTheViewFrustum) {
   const auto rows = json_of(summarise(one_frame(some_frame()), undrawn, "model.ply"))["methods"];
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_TRUE(rows[1]["speedup"].is_null() && rows[1]["false_culls"].is_null() && rows[1]["hidden_culled"].is_null());
+}
+
+TEST(Methods, BesideAWalkThatHoldsIsTheSameCulledInEachFrame) {
+  WalkOptions held;
+  held.hold = 2;
+  held.cull.method = culler::Method::cover;
+  const WalkOptions beside = options_beside(held);
+  EXPECT_EQ(beside.hold, 0);
+  EXPECT_EQ(beside.cull.method, culler::Method::cover);
+  EXPECT_EQ(method_text(held), "joined shadows, held");
+  EXPECT_EQ(method_text(beside), "joined shadows");
+  // A fault of the walk beside is told, though it is by the same method.
+  const WalkResult right = one_frame(some_frame());
+  WalkResult wrong = right;
+  wrong.frames[0].false_culls = 3;
+  Summary summary = summarise(right, held, "model.ply");
+  summary.methods = methods_of({{&held, &right}, {&beside, &wrong}}, true);
+  EXPECT_NE(text_of(summary).find("by joined shadows: false culls 3"), std::string::npos) << text_of(summary);
+}
+
+TEST(Summary, TellsOfRegionsThatHold) {
+  WalkResult result;
+  result.regions = {{10, 8, {}, {}}, {13, 4, {}, {}}};
+  // Frame 12 is not counted; 14 is held by the second region, 16 by none.
+  const std::vector<std::pair<std::size_t, std::size_t>> frames{{10, 1}, {14, 2}, {16, 0}};
+  for (const auto& [number, region] : frames) {
+    FrameRecord frame = some_frame();
+    frame.frame = number;
+    frame.region = region;
+    frame.cull_ms = static_cast<double>(number);
+    result.frames.push_back(frame);
+  }
+  WalkOptions options;
+  EXPECT_TRUE(json_of(summarise(result, options, "model.ply"))["held"].is_null());
+  options.hold = 2.5;
+  const Summary summary = summarise(result, options, "model.ply");
+  const auto json = json_of(summary);
+  EXPECT_EQ(json["options"]["hold"], 2.5);
+  EXPECT_EQ(json["held"]["regions"], 2);
+  EXPECT_EQ(json["held"]["frames_by_point"], 1);
+  EXPECT_EQ(json["held"]["region_ms"], 6);
+  EXPECT_EQ(json["held"]["between_ms"], 14);
+  EXPECT_EQ(json["held"]["frames_a_region"], 3.5);
+  EXPECT_NE(text_of(summary).find("held: 2 regions that reach 2.5 ahead, one for 3.5 frames; a region takes 6.00 ms, "
+                                  "a frame between 14.00 ms; 1 of 3 frames by point"),
+            std::string::npos)
+      << text_of(summary);
+  const std::string csv = frames_csv(result);
+  EXPECT_NE(csv.find("occlusion_first,region\n"), std::string::npos);
+  EXPECT_NE(csv.find(",2\n"), std::string::npos);
 }
 
 TEST(Methods, TheOtherHasLeavesOfItsOwn) {

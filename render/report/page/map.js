@@ -10,13 +10,17 @@ function colourOfShare(share) {
   return `rgb(${from.map((c, i) => Math.round(c + (to[i] - c) * (share - a) / (b - a))).join(' ')})`;
 }
 
+/** Regions begin at marks on the path where these are so many pixels apart. */
+const kMarksApart = 7;
+
 class PathMap {
-  /** `eyes` are points, `shares` numbers from 0 to 1. Calls onFrame with the index of the frame that is clicked. */
-  constructor(canvas, viewer, eyes, targets, shares, onFrame) {
+  /** `eyes` are points, `shares` numbers from 0 to 1, `regions` have centre and halfEdges. Calls onFrame with the index of the frame that is clicked. */
+  constructor(canvas, viewer, eyes, targets, shares, regions, onFrame) {
     this.canvas = canvas;
     this.axes = levelAxes(viewer.lens.up);
     this.eyes = eyes;
     this.targets = targets;
+    this.regions = regions;
     const flat = eyes.map(eye => this.flat(eye));
     const low = [0, 1].map(i => Math.min(...flat.map(p => p[i]))), high = [0, 1].map(i => Math.max(...flat.map(p => p[i])));
     this.middle = [0, 1].map(i => (low[i] + high[i]) / 2);
@@ -63,13 +67,48 @@ class PathMap {
         context.stroke();
       }
     }
+    this.markRegions(context);
     return ground;
   }
 
-  setCursor(index) {
+  /** A mark across the path where each region begins; none where they would hide the path. */
+  markRegions(context) {
+    const starts = this.regions.map(({centre, halfEdges: [along]}) => [this.place(subtract(centre, along)), this.place(add(centre, along))]);
+    const long = starts.reduce((sum, [from, to]) => sum + Math.hypot(to[0] - from[0], to[1] - from[1]), 0);
+    if (long < kMarksApart * starts.length) return;
+    context.lineCap = 'butt';
+    context.lineWidth = 2;
+    context.strokeStyle = '#10151c';
+    for (const [[x, y], to] of starts) {
+      const away = Math.hypot(to[0] - x, to[1] - y), [dx, dy] = [(to[1] - y) / away * 6, (x - to[0]) / away * 6];
+      if (away === 0) continue;
+      context.beginPath();
+      context.moveTo(x - dx, y - dy);
+      context.lineTo(x + dx, y + dy);
+      context.stroke();
+    }
+  }
+
+  /** Where the eye may be while a region holds, seen from above: at least as wide as a line. */
+  drawRegion(context, {centre, halfEdges: [along, side]}) {
+    const corners = [[1, 1], [1, -1], [-1, -1], [-1, 1]].map(([a, b]) => this.place(add(centre, add(scale(along, a), scale(side, b)))));
+    context.beginPath();
+    for (const corner of corners) context.lineTo(...corner);
+    context.closePath();
+    context.lineJoin = 'round';
+    for (const [width, colour] of [[7, '#fff'], [3, kRegionColour]]) {
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      context.stroke();
+    }
+  }
+
+  /** `region` holds for the frame, if any does. */
+  setCursor(index, region) {
     const context = this.canvas.getContext('2d');
     [this.canvas.width, this.canvas.height] = this.pixels;
     context.drawImage(this.ground, 0, 0);
+    if (region) this.drawRegion(context, region);
     const [x, y] = this.place(this.eyes[index]), [tx, ty] = this.place(this.targets[index]);
     const heading = Math.atan2(ty - y, tx - x);
     context.beginPath();

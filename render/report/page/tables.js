@@ -42,6 +42,28 @@ function worstTable(walk, columns) {
   }));
 }
 
+/** Of the polygons in view. */
+const shareCulled = (columns, i) => columns.in_view[i] ? 1 - columns.drawn[i] / columns.in_view[i] : 0;
+
+/** What each region hid in the frames that it held for. */
+function regionTables(walk, columns) {
+  const kListed = 15;
+  const framesOf = walk.regions.map(() => []);
+  columns.region.forEach((number, i) => framesOf[number - 1]?.push(i));
+  const rows = walk.regions.map((region, number) => {
+    const held = framesOf[number];
+    const mean = value => held.reduce((sum, i) => sum + value(i), 0) / held.length;
+    return {region, frames: held.length, link: columns.frame[held[0]], culled: mean(i => columns.culled[i]), share: mean(i => shareCulled(columns, i))};
+  }).filter(row => row.frames > 0);
+  const heads = ['From frame', 'frames', 'culling it, ms', 'hid a frame', 'of what is in view'];
+  const cells = row => [frameLink(row.link), grouped(row.frames), inMs(row.region.ms), grouped(row.culled), inPercent(row.share)];
+  const least = [...rows].sort((a, b) => a.share - b.share).slice(0, kListed);
+  return [element('p', {}, `${grouped(walk.regions.length)} regions were culled on the path. Each is a box of eyes: a frame whose eye is in it draws ` +
+                           'what the region does not hide, as far as it is in its own view. Those that hid least:'),
+          table(heads, least.map(cells)),
+          element('details', {}, element('summary', {}, `All ${grouped(rows.length)} regions with frames that are counted`), table(heads, rows.map(cells)))];
+}
+
 /** "polygon 12", or several, by their numbers in the model file. */
 function nameOfOccluder(occluder, model) {
   const kNamed = 3, count = occluder.polygons.length;

@@ -4,7 +4,7 @@
 /** Colours of hiders, by their number modulo 8: neighbours differ in lightness. */
 const kHiderColours = ['#5b2a86', '#f0a58f', '#0b5d57', '#b9a6e8', '#7a3b12', '#79c6ee', '#a3195b', '#b5d8a0'];
 const kOccluderColour = '#ffc400', kPickedColour = '#e600c8', kFrustumColour = '#2962ff', kCoverColour = '#6f57b5',
-      kMissedColour = '#f08a3c';
+      kMissedColour = '#f08a3c', kRegionColour = '#d81b60';
 
 const rgb = colour => [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16) / 255);
 
@@ -28,6 +28,13 @@ const kShadowReach = 1.5;
 /** From outside the model is cut off so much above the camera, in the same depths: rooms open. */
 const kCut = 0.25;
 
+/** The twelve edges of a box that is given by its centre and half-edges. */
+function edgesOf({centre, halfEdges}) {
+  const corner = signs => halfEdges.reduce((point, edge, i) => add(point, scale(edge, signs[i])), centre);
+  return [0, 1, 2].flatMap(axis => [[1, 1], [1, -1], [-1, -1], [-1, 1]].map(others =>
+      [1, -1].map(sign => corner([...others.slice(0, axis), sign, ...others.slice(axis)]))));
+}
+
 class Viewer {
   /** Throws where there is no WebGL2. `lens` has what all cameras of a path share, `size` the pixels of their pictures. */
   constructor(canvas, model, lens, size) {
@@ -43,7 +50,7 @@ class Viewer {
     this.boxes = new BoxPainter(this.gl);
     this.high = model.point(model.steps);
     this.size = distance(model.low, this.high);
-    this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true, cut: true, boxes: false, vain: false};
+    this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true, region: true, cut: true, boxes: false, vain: false};
     this.isOutside = true;
     this.isFollowing = true;  // until somebody moves the camera outside
     this.picked = null;
@@ -52,9 +59,10 @@ class Viewer {
     new ResizeObserver(() => this.invalidate()).observe(canvas);
   }
 
-  /** A frame of Frames, and its eye, target and up, if that is not the one of the path. */
-  setFrame(frame, eye, target, up = this.lens.up) {
+  /** A frame of Frames, its eye and target, the region that holds for it, if any does, and its up, if that is not the one of the path. */
+  setFrame(frame, eye, target, region, up = this.lens.up) {
     this.frame = frame;
+    this.region = region;
     const before = this.camera;
     this.camera = {...this.lens, eye, target, up};
     this.camera.far ??= this.farthest(eye);
@@ -259,6 +267,9 @@ class Viewer {
         add(corner, far[i], kFrustumColour);
         add(far[i], far[(i + 1) % 4], kFrustumColour);
       });
+    }
+    if (this.isOutside && this.layers.region && this.region) {
+      for (const [from, to] of edgesOf(this.region)) add(from, to, kRegionColour);
     }
     for (const occluder of this.frame.occluders) {
       const {points} = occluder.outline;

@@ -44,6 +44,8 @@ class WalkPage {
 
   fillTables() {
     byId('worst').append(worstTable(this.walk, this.columns));
+    if (this.walk.regions.length === 0) byId('region').remove();
+    else byId('regions').append(...regionTables(this.walk, this.columns));
   }
 
   /** Once the model is unpacked. */
@@ -79,7 +81,7 @@ class WalkPage {
   addMap() {
     if (!this.viewer) return;
     const shares = [...this.columns.frame.keys()].map(i => this.shareCulled(i));
-    this.map = new PathMap(byId('map'), this.viewer, this.eyes, this.targets, shares, index => this.setIndex(index));
+    this.map = new PathMap(byId('map'), this.viewer, this.eyes, this.targets, shares, this.walk.regions, index => this.setIndex(index));
     this.setIndex(this.index);
   }
 
@@ -100,8 +102,8 @@ class WalkPage {
     const shown = Math.floor(this.index / this.scene.every);
     this.frame = this.frames.at(shown);
     const at = this.shown = shown * this.scene.every;
-    this.viewer.setFrame(this.frame, this.eyes[at], this.targets[at], this.ups?.[at]);
-    this.map?.setCursor(this.index);
+    this.viewer.setFrame(this.frame, this.eyes[at], this.targets[at], this.regionOf(at), this.ups?.[at]);
+    this.map?.setCursor(this.index, this.regionOf(this.index));
     this.tellPicked();
     this.fillHiders();
     byId('picture').setAttribute('aria-label', `${this.viewer.isOutside ? 'From outside' : 'View of the camera'}: ${this.account(at)}`);
@@ -109,7 +111,22 @@ class WalkPage {
 
   /** Of the polygons in view. */
   shareCulled(i) {
-    return this.columns.in_view[i] ? 1 - this.columns.drawn[i] / this.columns.in_view[i] : 0;
+    return shareCulled(this.columns, i);
+  }
+
+  /** The region that holds for a frame; none where it was culled for itself. */
+  regionOf(i) {
+    return this.walk.regions[this.columns.region?.[i] - 1];
+  }
+
+  /** In words. */
+  heldBy(i) {
+    const region = this.regionOf(i);
+    if (!this.columns.region) return '';
+    if (!region) return ' It was culled for itself: no region holds for it.';
+    const number = this.columns.region[i], isNew = region.first === this.columns.frame[i];
+    return ` It is held by region ${number} of ${grouped(this.walk.regions.length)}, ` +
+           (isNew ? 'which was culled in it.' : `culled in frame ${region.first} in ${inMs(region.ms)} ms.`);
   }
 
   /** A frame in words. */
@@ -121,7 +138,7 @@ class WalkPage {
               `the visible polygons alone ${inMs(c.visible_frame_ms[i])})`
         : `culling ${inMs(c.cull_ms[i])} ms`;
     return `Frame ${c.frame[i]}: ${time}; ${grouped(c.drawn[i])} polygons drawn${visible}, ${grouped(c.culled[i])} culled, ` +
-           `${grouped(c.out_of_view[i])} out of view. Of the ${grouped(c.in_view[i])} in view ${inPercent(this.shareCulled(i))} were culled.` +
+           `${grouped(c.out_of_view[i])} out of view. Of the ${grouped(c.in_view[i])} in view ${inPercent(this.shareCulled(i))} were culled.` + this.heldBy(i) +
            (this.walk.rendered ? this.chiefReason(i) : '');
   }
 

@@ -94,6 +94,8 @@ Summary::Held held(const WalkResult& result) {
     }
   }
   held.regions = of_regions.size();
+  const std::size_t walked = result.frames.back().frame - result.frames.front().frame + 1;
+  if (held.regions > 0) held.frames_a_region = static_cast<double>(walked) / static_cast<double>(held.regions);
   held.region_ms = mean_value(of_regions);
   held.frame_ms = mean_value(of_frames);
   return held;
@@ -103,15 +105,19 @@ std::string held_text(const Summary& summary) {
   const Summary::Held& held = *summary.held;
   const auto ms = [](const std::optional<double>& mean) { return mean ? rounded(*mean, 2) + " ms" : "-"; };
   return fmt::format(
-      "held: {} regions that reach {} ahead, {} of {} frames by point; a region takes {}, a frame between {}\n",
-      held.regions, summary.options.hold, held.frames_by_point, summary.frames, ms(held.region_ms), ms(held.frame_ms));
+      "held: {} regions that reach {} ahead, one for {:.1f} frames; a region takes {}, a frame between {}; {} of {} frames "
+      "by "
+      "point\n",
+      held.regions, summary.options.hold, held.frames_a_region, ms(held.region_ms), ms(held.frame_ms), held.frames_by_point,
+      summary.frames);
 }
 
 Json json_of(const Summary::Held& held) {
   return {{"regions", held.regions},
+          {"frames_a_region", held.frames_a_region},
           {"frames_by_point", held.frames_by_point},
           {"region_ms", if_known(held.region_ms)},
-          {"held_frame_ms", if_known(held.frame_ms)}};
+          {"between_ms", if_known(held.frame_ms)}};
 }
 
 }  // namespace

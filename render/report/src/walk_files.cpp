@@ -50,7 +50,8 @@ void WalkFiles::add_plate(const Plate& plate, const Image& image) {
 
 void WalkFiles::write(const WalkResult& result, const Summary& summary, const CameraPath& path) {
   csv_.write(frames_csv(result));
-  report_.write(walk_page(summary, {result.frames, result.missed, *recording_, page_pictures_, command_, json_of(path)}));
+  report_.write(walk_page(
+      summary, {result.frames, result.regions, result.missed, *recording_, page_pictures_, command_, json_of(path)}));
   summary_.write(json_of(summary).dump(2) + "\n");
   if (path_) write_camera_path(*path_, path);
   for (OutputFile* file : files()) file->close();

@@ -15,6 +15,7 @@
 #include "occlude/render/formats.h"
 #include "occlude/render/missed_report.h"
 #include "occlude/render/paper_report.h"
+#include "page_camera.h"
 #include "page_files.h"
 #include "template.h"
 
@@ -67,8 +68,8 @@ std::string methods(const Summary& summary) {
   return html_of(table_of(summary.methods)) +
          fmt::format(
              "<p class=\"soft\">Without: the same frames by the view frustum alone, in turns with "
-             "the method. All below is by {}.</p>",
-             shown);
+             "the method. All below is by {}{}.</p>",
+             shown, summary.held ? ", for regions of eyes that hold for the frames between" : "");
 }
 
 std::string note(const std::string& text) { return text.empty() ? "" : "<p class=\"soft\">" + text + "</p>"; }
@@ -112,9 +113,11 @@ std::string conditions(const Summary& summary) {
                                       "{} frames the item buffer was drawn from the whole model without any culling. ",
                                       options.width, options.height, summary.reference_frames)
                                 : "Nothing was drawn. ";
-  return fmt::format("<p>{}; {} arithmetic, tree of {}s. {}Preprocess {:.1f} s.</p><p>{}; {}compiled by {}.</p>", method,
-                     name_of(cull.arithmetic), summary.build.hierarchy.bounds == culler::Bounds::obb ? "OBB" : "AABB", drawn,
-                     summary.preprocess_s, escaped(machine_of(machine)),
+  const std::string held =
+      summary.held ? fmt::format(", for regions of eyes that reach {:g} ahead", options.hold) : std::string();
+  return fmt::format("<p>{}{}; {} arithmetic, tree of {}s. {}Preprocess {:.1f} s.</p><p>{}; {}compiled by {}.</p>", method,
+                     held, name_of(cull.arithmetic), summary.build.hierarchy.bounds == culler::Bounds::obb ? "OBB" : "AABB",
+                     drawn, summary.preprocess_s, escaped(machine_of(machine)),
                      machine.renderer.empty() ? "" : escaped(machine.renderer) + "; ", escaped(machine.compiler));
 }
 
@@ -156,6 +159,19 @@ nlohmann::ordered_json add_missed(Columns& columns, const std::vector<culler::Mi
   return names;
 }
 
+/// The regions of a walk that holds: where they are, and what each took.
+nlohmann::ordered_json json_of(const std::vector<RegionRecord>& regions) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const RegionRecord& region : regions) {
+    const auto& [a, b, c] = region.eyes.half_edges;
+    list.push_back({{"first", region.frame},
+                    {"ms", region.cull_ms},
+                    {"centre", page_json(region.center)},
+                    {"halfEdges", {page_json(a), page_json(b), page_json(c)}}});
+  }
+  return list;
+}
+
 /// The figures of all frames, in columns.
 std::string figures(const Summary& summary, const WalkPageContent& content) {
   Columns columns;
@@ -166,6 +182,7 @@ std::string figures(const Summary& summary, const WalkPageContent& content) {
   add("culled", [](const FrameRecord& r) { return r.stats.shadow_culled_polygons; });
   add("out_of_view", [](const FrameRecord& r) { return r.stats.view_culled_polygons; });
   add("cull_ms", &FrameRecord::cull_ms);
+  if (summary.held) add("region", &FrameRecord::region);
   if (summary.options.render) {
     add("visible", &FrameRecord::visible_polygons);
     add("frame_ms", &FrameRecord::frame_ms);
@@ -178,7 +195,8 @@ std::string figures(const Summary& summary, const WalkPageContent& content) {
                                        {"rendered", summary.options.render},
                                        {"method", method_of(summary)},
                                        {"size", {summary.options.width, summary.options.height}},
-                                       {"reasons", reasons}};
+                                       {"reasons", reasons},
+                                       {"regions", json_of(content.regions)}};
   return fmt::format(R"({{"walk":{},"columns":{{{}}}}})", walk.dump(), columns.text());
 }
 

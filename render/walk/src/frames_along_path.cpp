@@ -43,6 +43,8 @@ CulledFor FramesAlongPath::source() const {
 
 std::size_t FramesAlongPath::region() const { return held_ ? held_->region() : 0; }
 
-std::vector<RegionRecord> FramesAlongPath::regions() const { return held_ ? held_->regions() : std::vector<RegionRecord>{}; }
+std::span<const RegionRecord> FramesAlongPath::regions() const {
+  return held_ ? std::span<const RegionRecord>(held_->regions()) : std::span<const RegionRecord>();
+}
 
 }  // namespace occlude::render

@@ -152,7 +152,7 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
     if (on_frame) on_frame({result.frames.back(), along.result(), along.source(), walker.visible(), is_reference});
     progress.update(i + 1);
   }
-  result.regions = along.regions();
+  result.regions.assign(along.regions().begin(), along.regions().end());
   return result;
 }
 

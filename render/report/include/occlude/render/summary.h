@@ -44,6 +44,7 @@ struct Summary {
     std::size_t frames_by_point = 0;  ///< culled for themselves, because no region held
     std::optional<double> region_ms;  ///< to cull a region: mean
     std::optional<double> frame_ms;   ///< to cull a frame for which no region was: mean
+    double frames_a_region = 0;       ///< 0 without a region; frames that are not counted do here
   };
 
   std::string model;

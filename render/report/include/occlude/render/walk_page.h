@@ -19,6 +19,7 @@ struct PagePicture {
 /// What the page shows besides the summary.
 struct WalkPageContent {
   const std::vector<FrameRecord>& frames;
+  const std::vector<RegionRecord>& regions;                  ///< as in WalkResult
   const std::vector<culler::MissedReasons::Counts>& missed;  ///< as in WalkResult
   const WalkRecording& recording;
   std::vector<PagePicture> pictures;  ///< shown where the browser cannot draw the model

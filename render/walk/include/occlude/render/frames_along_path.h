@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <memory>
-#include <vector>
+#include <span>
 
 #include "occlude/culler/culler.h"
 #include "occlude/render/camera_path.h"
@@ -45,7 +45,7 @@ class FramesAlongPath {
   [[nodiscard]] std::size_t region() const;
 
   /// The regions so far.
-  [[nodiscard]] std::vector<RegionRecord> regions() const;
+  [[nodiscard]] std::span<const RegionRecord> regions() const;
   /// Whether the culling of a frame depends on the frames before it.
   [[nodiscard]] bool has_past() const { return held_ || along_.has_past(); }
 
