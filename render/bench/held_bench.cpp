@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "held_bench.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -93,12 +95,17 @@ struct Move {
   std::function<Camera(std::size_t frame)> camera;
 };
 
-std::vector<Move> moves(const Way& way, double frames_a_second) {
+std::vector<Move> moves(const Way& way, double frames_a_second, const std::vector<double>& speeds) {
   const auto along = [&way, frames_a_second](double speed) {
     return [&way, frames_a_second, speed](std::size_t frame) {
       return way.at(there_and_back(speed * static_cast<double>(frame) / frames_a_second, way.length()));
     };
   };
+  if (!speeds.empty()) {
+    std::vector<Move> result;
+    for (const double speed : speeds) result.push_back({fmt::format("{} a second", speed), along(speed)});
+    return result;
+  }
   const auto turning = [&way, frames_a_second](std::size_t frame) {
     Camera camera = way.at(way.length() / 2);
     const double angle = glm::radians(180.0) * static_cast<double>(frame) / frames_a_second;
@@ -164,7 +171,8 @@ HeldBenchResult bench_held(const Subject& subject, const HeldBenchOptions& optio
   culler.prepare(options.held.cull.method);
   const Way way(subject.path);
   HeldBenchResult result{subject.name, subject.soup.size(), {}};
-  for (const Move& move : moves(way, options.frames_a_second)) result.moves.push_back(measure(culler, move, options));
+  for (const Move& move : moves(way, options.frames_a_second, options.speeds))
+    result.moves.push_back(measure(culler, move, options));
   return result;
 }
 

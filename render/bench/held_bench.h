@@ -17,6 +17,7 @@ struct HeldBenchOptions {
   std::size_t compare_every = 20;  ///< frames: how often the same frame is culled by point
   double frames_a_second = 60;
   std::uint32_t leaf = culler::leaf_size_for(culler::Method::cover);
+  std::vector<double> speeds;  ///< along the path, model units a second, instead of the ways to move; may be empty
   culler::HeldOptions held = {};
 };
 
@@ -48,5 +49,7 @@ struct HeldBenchResult {
 /// As a table, and as JSON.
 [[nodiscard]] render::Table table_of(const HeldBenchResult& result, const HeldBenchOptions& options);
 [[nodiscard]] std::string json_of(const HeldBenchResult& result, const HeldBenchOptions& options);
+/// Milliseconds a frame over the speeds, held and by point, as an SVG file. REQUIRES: speeds that ascend.
+[[nodiscard]] std::string chart_of(const HeldBenchResult& result, const HeldBenchOptions& options);
 
 }  // namespace occlude::experiments

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "held_bench.h"
+#include "occlude/render/chart.h"
 #include "occlude/render/machine.h"
 
 namespace occlude::experiments {
@@ -35,6 +36,18 @@ render::Table table_of(const HeldBenchResult& result, const HeldBenchOptions& op
                              result.polygons, options.frames, options.frames_a_second),
                  "One thread of " + text_of(render::this_machine()) + "."};
   return table;
+}
+
+std::string chart_of(const HeldBenchResult& result, const HeldBenchOptions& options) {
+  render::Series held{"held, the regions that are culled beside counted", "#2f7fe0", {}};
+  render::Series by_point{"each frame culled for itself", "#d9822b", {}};
+  for (const HeldMove& move : result.moves) {
+    held.y.push_back(move.ms());
+    by_point.y.push_back(move.point_ms);
+  }
+  return render::svg_file(render::line_chart({"speed of the camera, model units a second", render::Scale::logarithmic},
+                                             {"milliseconds a frame", render::Scale::logarithmic}, options.speeds,
+                                             {held, by_point}));
 }
 
 std::string json_of(const HeldBenchResult& result, const HeldBenchOptions& options) {

@@ -91,6 +91,12 @@ done
 grep -q '"regions": 0,' held.json && fail "bench held: no region was culled"
 "$occlude" bench held good.ply --path path.json --frames 2 | grep -q 'turning' || fail "bench held without --json"
 expect_error "--frames" "$occlude" bench held --frames 0
+"$occlude" bench held good.ply --path path.json --frames 40 --speeds 0.5,2,8 --chart held.svg --json >held.json || fail "bench held --speeds"
+[ "$(grep -c '"move": ".* a second"' held.json)" -eq 3 ] && grep -q '"move": "0.5 a second"' held.json || fail "bench held --speeds: $(cat held.json)"
+[ "$(grep -o '<polyline' held.svg | wc -l)" -eq 2 ] && [ "$(grep -o '<circle' held.svg | wc -l)" -eq 6 ] && grep -q '^<svg xmlns=' held.svg ||
+  fail "bench held --chart: $(cat held.svg)"
+for speeds in 0,1 2,1 1,x -1 1,inf; do expect_error "--speeds" "$occlude" bench held --speeds "$speeds"; done
+expect_error "--speeds" "$occlude" bench held --chart held.svg
 
 # bench rivals: everything is there; what the wall hides is culled by ours, and nothing that shows.
 small=(good.ply --path path.json --size 64x36 --leaf 1 --repetitions 1)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Uses the pages of three walks as a reader does: frusta, cover and undrawn, in the working folder.
+"""Uses the pages of four walks as a reader does: frusta, cover, held and undrawn, in the working folder.
 
 Usage: page_test.py PATH_OF_OCCLUDE. page_test.sh makes the walks.
 """
@@ -21,7 +21,7 @@ import browser
 
 OCCLUDE = sys.argv.pop(1)
 WALK = ['city.ply', '--path', 'city.json', '--frames', '0:400:20', '--size', '320x180']
-OPTIONS = {'frusta': ['--unions'], 'cover': ['--method', 'cover']}
+OPTIONS = {'frusta': ['--unions'], 'cover': ['--method', 'cover'], 'held': ['--method', 'cover', '--hold', '40']}
 SIZE = (320, 180)
 
 
@@ -47,7 +47,7 @@ class Page(browser.Page):
 
 class Reading(Page):
     def test_it_is_quiet(self):
-        for walk in ('frusta', 'cover', 'undrawn'):
+        for walk in ('frusta', 'cover', 'held', 'undrawn'):
             self.open(walk)
             for from_outside in (True, False):
                 self.look(from_outside)
@@ -154,7 +154,7 @@ class Reading(Page):
         self.assertEqual(self.run_script(ranges), whole)
 
     def test_reasons_add_up_to_what_is_drawn_in_vain(self):
-        for walk in ('frusta', 'cover'):
+        for walk in ('frusta', 'cover', 'held'):
             self.open(walk)
             columns, reasons = self.run_script('return [page.columns, page.walk.reasons]')
             self.assertGreaterEqual(len(reasons), 2)
@@ -177,7 +177,7 @@ class Reading(Page):
         self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride',
                                     {'width': 390, 'height': 844, 'deviceScaleFactor': 2, 'mobile': True})
         self.addCleanup(self.driver.execute_cdp_cmd, 'Emulation.clearDeviceMetricsOverride', {})
-        for walk in ('frusta', 'cover', 'undrawn'):
+        for walk in ('frusta', 'cover', 'held', 'undrawn'):
             self.open(walk)
             self.assertLessEqual(self.run_script('return document.documentElement.scrollWidth'), 390)
             self.assertGreaterEqual(self.run_script('return page.viewer.canvas.clientWidth'), 340)
@@ -205,7 +205,7 @@ class Viewing(Page):
             self.assertEqual(self.picture(), whole, box.get_attribute('data-layer'))
 
     def test_boxes_end_at_the_culled_subtrees_and_the_drawn_leaves(self):
-        for walk in ('frusta', 'cover'):
+        for walk in ('frusta', 'cover', 'held'):
             self.open(walk)
             boxes, culled, drawn, holds = self.run_script('''
                 const {viewer, model, frame} = page, boxes = viewer.treeBoxes();
@@ -219,7 +219,7 @@ class Viewing(Page):
             self.assertTrue(holds)
 
     def test_heat_is_of_what_was_drawn_in_vain(self):
-        for walk in ('frusta', 'cover'):
+        for walk in ('frusta', 'cover', 'held'):
             self.open(walk)
             vain = self.run_script('return page.model.vain.reduce((sum, n) => sum + n, 0)')
             columns = self.run_script('return page.columns')
@@ -227,6 +227,31 @@ class Viewing(Page):
             self.assertEqual(self.run_script('return page.scene.drawn_frames'), len(columns['drawn']))
         self.open('undrawn')
         self.assertEqual(self.driver.find_elements(By.ID, 'vain'), [])
+
+    def test_a_frame_that_is_held_tells_of_its_region(self):
+        self.open('held')
+        regions, of_frames = self.run_script('return [page.walk.regions, page.columns.region]')
+        self.assertGreater(len(regions), 1)
+        self.assertGreater(len(of_frames), len(set(of_frames)))
+        for i, number in enumerate(of_frames):
+            self.run_script('page.setIndex(arguments[0])', i)
+            self.assertIn(f'held by region {number} of {len(regions)}', self.element('told').text)
+            # The eye is in the box that the viewer draws.
+            region, eye = self.run_script('return [page.viewer.region, page.eyes[page.index]]')
+            self.assertEqual(region, regions[number - 1])
+            for edge in region['halfEdges']:
+                away = sum(e * (x - c) for e, x, c in zip(edge, eye, region['centre']))
+                self.assertLessEqual(abs(away), 1.001 * sum(e * e for e in edge))
+        rows = self.run_script('return [...document.querySelectorAll("#regions details tbody tr")].map(row => row.innerText.split(/\\s+/))')
+        self.assertEqual(len(rows), len(set(of_frames)))
+        self.assertEqual(sum(int(row[1]) for row in rows), len(of_frames))
+        without = self.picture()
+        self.click(self.driver.find_element(By.CSS_SELECTOR, '[data-layer=region]'))
+        self.assertNotEqual(self.picture(), without)
+        self.open('cover')
+        for part in ('region', 'marks'):
+            self.assertEqual(self.driver.find_elements(By.ID, part), [])
+        self.assertFalse(self.element('regions').is_displayed())
 
     def test_a_table_names_who_hid_what(self):
         for walk, word in (('frusta', 'occluders were chosen'), ('cover', 'pieces were used')):
@@ -256,7 +281,7 @@ class Viewing(Page):
         self.assertEqual(self.picture(), whole)
 
     def test_fates_add_up_to_the_figures_of_each_frame(self):
-        for walk in ('frusta', 'cover'):
+        for walk in ('frusta', 'cover', 'held'):
             self.open(walk)
             counts = self.run_script('''return page.columns.frame.map((_, i) => {
                 const {fates} = page.frames.at(i), first = page.model.firstPolygon, sums = [0, 0, 0];
@@ -279,7 +304,7 @@ class Viewing(Page):
 
     def test_a_click_finds_the_polygon_that_why_finds(self):
         random.seed(1)
-        for walk in ('frusta', 'cover'):
+        for walk in ('frusta', 'cover', 'held'):
             self.open(walk)
             self.look(False)
             same = tried = 0
@@ -305,7 +330,7 @@ class Viewing(Page):
     def test_a_click_tells_the_fate_that_why_tells(self):
         random.seed(2)
         words = {'drawn': 'drawn', 'out_of_view': 'out of view', 'in_shadow': 'culled, '}
-        for walk in ('frusta', 'cover'):
+        for walk in ('frusta', 'cover', 'held'):
             self.open(walk)
             fates = set()
             for _ in range(16):
@@ -358,7 +383,7 @@ class Viewing(Page):
         return self.run_script('return page.walk.reasons[`missed_${arguments[0]}`]', name)
 
     def test_every_hidden_polygon_that_was_drawn_has_its_reason(self):
-        for walk in ('frusta', 'cover'):
+        for walk in ('frusta', 'cover', 'held'):
             self.open(walk)
             counts = self.run_script('''return page.columns.frame.map((_, i) => {
                 const counts = {};

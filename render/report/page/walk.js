@@ -44,8 +44,8 @@ class WalkPage {
 
   fillTables() {
     byId('worst').append(worstTable(this.walk, this.columns));
-    if (this.walk.regions.length === 0) byId('region').remove();
-    else byId('regions').append(...regionTables(this.walk, this.columns));
+    if (this.walk.regions.length > 0) byId('regions').append(...regionTables(this.walk, this.columns));
+    else for (const id of ['region', 'marks']) byId(id).remove();
   }
 
   /** Once the model is unpacked. */

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
 #include "occlude/render/formats.h"
 
@@ -155,6 +156,17 @@ std::string line_chart(const Axis& x_axis, const Axis& y_axis, const std::vector
   svg += fmt::format(R"svg(<text transform="translate(14 {}) rotate(-90)" text-anchor="middle">{}</text></svg>)svg",
                      top + height / 2, y_axis.label);
   return svg;
+}
+
+std::string svg_file(const std::string& chart) {
+  constexpr std::string_view kBegin = "<svg ";
+  constexpr const char* kStyle =
+      "<style>text{font:14px "
+      "sans-serif;fill:#7d8590}.grid{stroke:#7d8590;stroke-opacity:.35}polyline{fill:none;stroke-width:3}"
+      "</style>";
+  const std::size_t content = chart.find('>') + 1;
+  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" {}{}{}\n",
+                     chart.substr(kBegin.size(), content - kBegin.size()), kStyle, chart.substr(content));
 }
 
 }  // namespace occlude::render

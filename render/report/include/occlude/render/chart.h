@@ -26,4 +26,7 @@ struct Axis {
 [[nodiscard]] std::string line_chart(const Axis& x_axis, const Axis& y_axis, const std::vector<double>& x,
                                      const std::vector<Series>& series, double height = 222);
 
+/// A chart as a file of its own, to be read on light and dark ground. Inside a page its style is that of the page.
+[[nodiscard]] std::string svg_file(const std::string& chart);
+
 }  // namespace occlude::render
