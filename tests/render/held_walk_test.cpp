@@ -16,6 +16,7 @@
 #include "occlude/render/errors.h"
 #include "occlude/render/frames_along_path.h"
 #include "occlude/render/view_planes.h"
+#include "occlude/render/why.h"
 
 namespace occlude::render {
 namespace held_walk_test {
@@ -74,6 +75,7 @@ TEST_P(HeldWalk, DrawsWhatTheRegionDrawsInTheFramesOwnView) {
         ++count;
       } else if (cull->by == culler::Culled::By::view) {
         ++view_culled;
+        ASSERT_GT(beyond_view(culler, result, *cull), 0) << frame << ' ' << p;
         by_own_view += cull->index < view_planes_of(camera);
         ASSERT_LT(cull->index, result.view.size());
       } else {
