@@ -102,6 +102,31 @@ TEST_P(HeldWalk, DrawsWhatTheRegionDrawsInTheFramesOwnView) {
   EXPECT_GT(hidden, 0U);
 }
 
+// Of two cameras that look away from each other, so that the half-spaces of both cut something off.
+TEST_P(HeldWalk, WhatIsCulledByEitherIsCulledByItsOwnReason) {
+  const culler::Culler culler = make_culler(city_.soup, options_);
+  const std::size_t polygons = culler.hierarchy().soup().size();
+  for (const double degrees : {10.0, 90.0, 180.0}) {
+    culler::Camera camera = city_.path.camera(40, aspect(options_)), other = camera;
+    const glm::dvec3 sight = camera.target - camera.eye;
+    const double angle = degrees * std::numbers::pi / 180;
+    other.target = other.eye + std::cos(angle) * sight + std::sin(angle) * glm::cross(camera.up, sight);
+    const culler::CullResult own = culler.cull(camera, {.occluders = 0}), region = culler.cull(other, options_.cull);
+    const culler::CullResult both = joined(culler.hierarchy(), own, region);
+    const std::vector<bool> of_own = drawn_of(own, polygons), of_region = drawn_of(region, polygons),
+                            drawn = drawn_of(both, polygons);
+    std::size_t by_region = 0;
+    for (std::uint32_t p = 0; p < polygons; ++p) ASSERT_EQ(drawn[p], of_own[p] && of_region[p]) << degrees << ' ' << p;
+    for (const culler::Culled& culled : both.culled) {
+      if (culled.by != culler::Culled::By::view) continue;
+      ASSERT_LT(culled.index, both.view.size());
+      ASSERT_GT(beyond_view(culler, both, culled), 0) << degrees << ' ' << culled.node;
+      by_region += culled.index >= own.view.size();
+    }
+    EXPECT_GT(by_region, 0U) << degrees;
+  }
+}
+
 TEST_P(HeldWalk, ARegionIsCulledWhenTheOneBeforeDoesNotHold) {
   const culler::Culler culler = make_culler(city_.soup, options_);
   FramesAlongPath along(culler, city_.path, options_);
