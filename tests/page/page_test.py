@@ -242,7 +242,7 @@ class Viewing(Page):
             for edge in region['halfEdges']:
                 away = sum(e * (x - c) for e, x, c in zip(edge, eye, region['centre']))
                 self.assertLessEqual(abs(away), 1.001 * sum(e * e for e in edge))
-        rows = self.run_script('return [...document.querySelectorAll("#regions details tbody tr")].map(row => row.innerText.split(/\\s+/))')
+        rows = self.run_script('return [...document.querySelectorAll("#regions details tbody tr")].map(row => [...row.cells].map(cell => cell.textContent))')
         self.assertEqual(len(rows), len(set(of_frames)))
         self.assertEqual(sum(int(row[1]) for row in rows), len(of_frames))
         without = self.picture()
