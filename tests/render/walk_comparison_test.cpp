@@ -95,6 +95,12 @@ TEST(WalkComparison, RefusesAValueOfAnotherType) {
   EXPECT_GT(members, 50U);
 }
 
+TEST(WalkComparison, TakesAWalkThatDoesNotHold) {
+  Json summary = whole_summary();
+  summary.erase("held");
+  EXPECT_EQ(failure(summary), "no error");
+}
+
 TEST(WalkComparison, RefusesANumberOutOfRange) {
   Json summary = whole_summary();
   summary["culled_share"] = 1.5;
