@@ -37,7 +37,8 @@ constexpr float kPlaceError = 0x1p-20F;
 // terms once, and the two sums in which it is used once each.
 constexpr float kBoundRounded = 1 + 0x1p-20F;
 // How far eyes reach is a sum of four products, each with two roundings, of numbers that are rounded once: 7 u of their
-// sum, for which there is a bound of twice its size. The difference of two nearnesses rounds by 3 u of them.
+// sum, for which there is a bound of twice its size. That of a ball is a root, whose square rounds no more, times a radius
+// that is rounded by 2 u. The difference of two nearnesses rounds by 3 u of them.
 constexpr float kReachRounded = 0x1p-21F;
 // A box with a larger error, in pixels, is treated as one of unknown position.
 constexpr float kMostError = 0x1p20F;
@@ -119,7 +120,7 @@ HWY_INLINE Lanes reach_of(const BoxPicture& p, std::size_t axis, Lanes slope) {
               twice = hn::Mul(hn::Mul(slope, slope), hn::Set(kD, ball[2]));
   const Lanes size = hn::Add(hn::Add(at_middle, hn::Abs(once)), twice);
   const Lanes square = hn::Add(hn::Add(hn::Add(at_middle, once), twice), hn::Mul(size, hn::Set(kD, kReachRounded)));
-  Lanes reach = hn::Sqrt(hn::Max(square, hn::Zero(kD)));
+  Lanes reach = hn::Mul(hn::Set(kD, p.radius), hn::Sqrt(hn::Max(square, hn::Zero(kD))));
   for (const std::array<float, 3>& h : p.half_edges) {
     reach = hn::Add(reach, hn::Abs(hn::Sub(hn::Set(kD, h[axis]), hn::Mul(slope, hn::Set(kD, h[2])))));
   }
@@ -290,6 +291,7 @@ BoxPicture::BoxPicture(const ConservativeViewport& picture, const PixelPosition&
       wider_x(rounded_up(margin.x)),
       wider_y(rounded_up(margin.y)),
       is_of_region(picture.is_of_region()),
+      radius(rounded_up(picture.eyes().radius)),
       eyes_forward(rounded_up(picture.eyes_forward())),
       eyes_reach(rounded_up(2 * (picture.reach({1, 0, 0}) + picture.reach({0, 1, 0}) + picture.reach({0, 0, 1})))),
       layers(in_focus),
@@ -300,8 +302,8 @@ BoxPicture::BoxPicture(const ConservativeViewport& picture, const PixelPosition&
     half_edges[i] = to_floats({glm::dot(h, picture.right()), glm::dot(h, picture.up()), glm::dot(h, picture.forward())});
   }
   const auto of_ball = [&](const glm::dvec3& axis) {
-    const double square = eyes.radius * eyes.radius, along = glm::dot(axis, picture.forward());
-    return to_floats(square * glm::dvec3(glm::dot(axis, axis), -2 * along, glm::dot(picture.forward(), picture.forward())));
+    const glm::dvec3& along = picture.forward();
+    return to_floats({glm::dot(axis, axis), -2 * glm::dot(axis, along), glm::dot(along, along)});
   };
   right_of_ball = of_ball(picture.right());
   up_of_ball = of_ball(picture.up());

@@ -45,9 +45,11 @@ class BoxPicture {
   /// Of a picture of several eyes: how far they reach along the axes of the picture, and its layers.
   bool is_of_region = false;
   std::array<std::array<float, 3>, 3> half_edges{};
-  std::array<float, 3> right_of_ball{}, up_of_ball{};  ///< a, b, c of the square a + b x + c x^2 of how far the ball reaches
-  float eyes_forward = 0;                              ///< along the line of sight
-  float eyes_reach = 0;                                ///< bounds the terms that are added up for the others
+  float radius = 0;  ///< of the ball
+  /// a, b, c of the square a + b x + c x^2 of how far a ball of radius 1 reaches: that of a small radius is no float.
+  std::array<float, 3> right_of_ball{}, up_of_ball{};
+  float eyes_forward = 0;  ///< along the line of sight
+  float eyes_reach = 0;    ///< bounds the terms that are added up for the others
   FocusLayers layers;
   std::int32_t tiles_of_layer = 0;
 };

@@ -137,6 +137,37 @@ TEST(EyeRegion, LargerOnesDrawMore) {
   EXPECT_TRUE(std::ranges::is_sorted(drawn));
 }
 
+/// Of a small ball, not even the square of the radius is a float.
+TEST(EyeRegion, CullsTheSameOfAnySize) {
+  std::mt19937 random(seed_of(9));
+  CullOptions options;
+  options.method = Method::cover;
+  std::size_t hidden = 0;
+  for (int i = 0; i < 20; ++i) {
+    const PolygonSoup soup = random_town_of_houses(some_seed(random), 300);
+    Camera camera = random_camera(random);
+    camera.projection = Projection::perspective;
+    camera.near_plane = 0.1;
+    camera.eyes = i % 2 == 0 ? EyeRegion::ball(0.125) : EyeRegion::box({0.125, 0, 0}, {0, 0.25, 0});
+    const Culler culler = culler_of(soup);
+    const CullResult frame = culler.cull(camera, options);
+    hidden += frame.stats.shadow_culled_polygons;
+    for (const double size : {0x1p-76, 0x1p-60, 0x1p60, 0x1p76}) {
+      PolygonSoup other = soup;
+      for (dvec3& v : other.vertices) v *= size;
+      Camera of_other = camera;
+      for (dvec3* v : {&of_other.eye, &of_other.target}) *v *= size;
+      of_other.near_plane *= size;
+      of_other.far_plane *= size;
+      of_other.eyes.radius *= size;
+      for (dvec3& half_edge : of_other.eyes.half_edges) half_edge *= size;
+      const CullResult result = culler_of(other).cull(of_other, options);
+      EXPECT_EQ(result.drawn, frame.drawn) << "frame " << i << ", size " << size;
+    }
+  }
+  EXPECT_GT(hidden, 500U);
+}
+
 TEST(EyeRegion, ReachesAsFarAsItsFarthestEye) {
   EXPECT_EQ(EyeRegion{}.reach({1, 2, 3}), 0);
   EXPECT_EQ(EyeRegion::ball(2).reach({0, 3, 4}), 10);
