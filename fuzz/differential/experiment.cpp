@@ -22,7 +22,9 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"cover", run_covers});
     list.push_back({"culler", run_culling});
     list.push_back({"forgery", run_forgeries});
+    list.push_back({"region_forgery", run_region_forgeries});
     list.push_back({"joined", run_joined});
+    list.push_back({"region", run_regions});
     list.push_back({"world", run_worlds});
     return list;
   }();
