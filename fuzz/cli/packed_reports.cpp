@@ -54,7 +54,8 @@ bool is_sound(const fuzz::Tally& t) {
                                   t.float32.culls, t.float32.draws, t.fused.culls,  t.fused.draws};
   const auto is_of_cases = [&](std::uint64_t count) { return count <= t.cases; };
   const auto is_of_asked = [&](const fuzz::WrongAnswers& wrong) { return wrong.culls + wrong.draws <= t.others_asked; };
-  return t.cases <= kMost && t.disagreements <= kMost && std::ranges::all_of(counts, is_of_cases) &&
+  return t.cases <= kMost && t.lines_of_sight <= fuzz::kLinesOfCull * t.cases && t.disagreements <= kMost &&
+         std::ranges::all_of(counts, is_of_cases) &&
          t.refused + t.relations[0] + t.relations[1] + t.relations[2] <= t.cases && t.stages[0] + t.stages[1] <= t.cases &&
          t.undecided <= t.planes_asked && is_of_asked(t.plain) && is_of_asked(t.float32) && is_of_asked(t.fused);
 }

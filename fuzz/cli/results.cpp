@@ -42,6 +42,7 @@ Json json(const FuzzResults::Row& row) {
           {"filter", t.stages[0]},
           {"exact", t.stages[1]},
           {"judged_twice", t.judged_twice},
+          {"lines_of_sight", t.lines_of_sight},
           {"disagreements", t.disagreements},
           {"conservative_asked_outside", t.planes_asked},
           {"conservative_undecided", t.undecided},

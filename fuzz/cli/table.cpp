@@ -77,8 +77,9 @@ std::string table(const FuzzResults& results) {
   if (results.rows.size() > 1) text += fmt::format("\n{}{}", kHead, line("all", sum));
   text += kLegend;
   const Tally& all = sum.tally;
-  text += fmt::format("\n{}{} cases not legal, refused by us and by the oracle; {} judged by the second oracle as well\n",
-                      results.seed ? fmt::format("seed {}; ", *results.seed) : "", all.refused, all.judged_twice);
+  text += fmt::format(
+      "\n{}{} cases not legal, refused by us and by the oracle; {} judged by the second oracle as well; {} lines of sight\n",
+      results.seed ? fmt::format("seed {}; ", *results.seed) : "", all.refused, all.judged_twice, all.lines_of_sight);
   text += findings(results);
   return text + fmt::format("{} wrong in {} cases\n", all.disagreements, all.cases);
 }

@@ -16,6 +16,7 @@
 #include "cases/to_oracle.h"
 #include "experiment.h"
 #include "occlude/culler/culler.h"
+#include "occlude/fuzz/case.h"
 #include "occlude/oracle/sight.h"
 #include "proof.h"
 #include "region_scenes.h"
@@ -316,9 +317,7 @@ void run_region_forgeries(std::uint64_t seed, Report& report) {
   for (std::size_t i = 0; i < kLines; ++i) {
     const WindowForger::Outcome outcome = forger->forge();
     ++report.tally.cases;
-    ++report.tally
-          .relations[static_cast<std::size_t>(outcome.is_taken ? kernel::Relation::inside : kernel::Relation::outside)];
-    if (outcome.is_refuted) ++report.tally.judged_twice;
+    ++report.tally.relations[outcome.is_taken ? 0 : outcome.is_refuted ? 2 : 1];
     if (outcome.is_honest && !outcome.is_taken) {
       add_finding(report, "honest", "what the culler culls is not proved: " + outcome.line);
     }

@@ -37,6 +37,9 @@ bool is_in(const kernel::Aabb& box, const dvec3& v) {
   return is_in;
 }
 
+/// Walls are no farther, so that they stay within what add_extent() adds.
+constexpr double kFarthestWall = 48;
+
 class Maker {
  public:
   explicit Maker(Random& random) : random_(random) {}
@@ -48,7 +51,7 @@ class Maker {
     add_extent();
     add_walls();
     add_things();
-    if (random_.chance(0.125)) scale(std::ldexp(1.0, random_.integer(-80, 80)));
+    if (random_.chance(0.125)) scale(std::ldexp(1.0, some_exponent()));
     return std::move(scene_);
   }
 
@@ -56,6 +59,12 @@ class Maker {
   [[nodiscard]] double sign() { return random_.chance(0.5) ? 1 : -1; }
   /// 2^-low to 2^-high.
   [[nodiscard]] double small(int low, int high) { return std::ldexp(1.0, -random_.integer(low, high)); }
+  /// Of the size of a scene. Rounding leaves small numbers where 0 would be if a camera looked along an axis, which have to
+  /// be legal.
+  [[nodiscard]] int some_exponent() {
+    const int least = is_along_axis_ ? -80 : -30;
+    return random_.chance(0.5) ? random_.integer(least, 80) : random_.chance(0.5) ? least : 80;
+  }
   /// A number near 1, or 1.
   [[nodiscard]] double about_one() { return random_.chance(0.3) ? 1 : 1 + sign() * small(1, 52); }
 
@@ -77,7 +86,8 @@ class Maker {
     Camera& camera = scene_.camera;
     camera.eye = random_.chance(0.5) ? dvec3(0) : lattice_point(random_, 8);
     dvec3 forward{}, up{};
-    if (random_.chance(0.5)) {
+    is_along_axis_ = random_.chance(0.5);
+    if (is_along_axis_) {
       const int axis = random_.integer(0, 2);
       forward[axis] = sign();
       up[(axis + 1) % 3] = 1;
@@ -89,18 +99,18 @@ class Maker {
     camera.up = up;
     camera.fov_y_deg = std::array{60.0, 90.0, 120.0}[random_.index(3)];
     camera.aspect = 1;
-    camera.near_plane = std::array{1.0 / 64, 1.0 / 8, 1.0}[random_.index(3)];
+    camera.near_plane = random_.chance(0.5) ? 1.0 / 64 : 1.0 / 8;
     axes_ = camera.axes();
     half_ = std::tan(camera.fov_y_deg * (3.14159265358979323846 / 360));
     scene_.options.method = culler::Method::cover;
-    scene_.options.cover.width = 64;
-    scene_.options.cover.height = random_.chance(0.8) ? 64 : 96;
+    scene_.options.cover.width = random_.chance(0.5) ? 64 : 128;
+    scene_.options.cover.height = random_.chance(0.8) ? scene_.options.cover.width : 96;
     if (random_.chance(0.1)) scene_.options.margin = 0x1p-10;
   }
 
   void make_eyes() {
     EyeRegion& eyes = scene_.camera.eyes;
-    const double size = std::array{0x1p-10, 0x1p-5, 0x1p-3, 0.5}[random_.index(4)];
+    const double size = scene_.camera.near_plane * std::array{0x1p-8, 0.5, 2.0, 8.0, 32.0}[random_.index(5)];
     const auto eighths = [&] { return random_.integer(-8, 8) / 8.0; };
     const auto in_axes = [&](double x, double y, double z) { return x * axes_.right + y * axes_.up + z * axes_.forward; };
     if (scene_.aim == RegionAim::epipole) {
@@ -135,7 +145,7 @@ class Maker {
   [[nodiscard]] double some_depth() {
     if (random_.chance(0.4)) {
       const double depth = layers_[random_.index(layers_.size())];
-      if (depth < 48) return depth;
+      if (depth < kFarthestWall) return depth;
     }
     return near_ * (1 + std::ldexp(random_.real(0.5, 1), random_.integer(-3, 5)));
   }
@@ -159,40 +169,40 @@ class Maker {
     }
   }
 
-  /// A fan of triangles around a point. Things are put behind its rim.
+  /// A fan of triangles around a point.
   void add_fan(const dvec3& middle, const std::vector<dvec3>& rim) {
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-      const dvec3 &from = rim[i], &to = rim[(i + 1) % rim.size()];
-      add({middle, from, to});
-      scene_.edges.push_back({from, to});
-    }
+    for (std::size_t i = 0; i < rim.size(); ++i) add({middle, rim[i], rim[(i + 1) % rim.size()]});
   }
 
-  /// A wall whose rim has edges as short as pixels, and ends at different depths.
+  /// A wall with spikes around it that are shorter and thinner than what the eyes move their tips by, which are nearer or
+  /// farther than the wall: for some eyes a tip is on the other side of its base.
   void add_ragged() {
-    const double depth = some_depth(), rough = std::array{0.05, 0.2, 0.4}[random_.index(3)];
+    const double depth = some_depth();
     const double x0 = random_.real(-0.5, 0.5) * half_, y0 = random_.real(-0.5, 0.5) * half_,
                  size = random_.real(0.3, 1.2) * half_;
-    const auto on_rim = [&](double x, double y) {
-      const double moved = (1 + rough * random_.real(-1, 1)) * depth;
-      return on_ray(x, y, std::max(moved, 1.01 * near_));
-    };
+    const auto at_depth = [&](double x, double y, double z) { return on_ray(x, y, std::max(z, 1.01 * near_)); };
     std::vector<dvec3> rim;
     const std::array<std::array<double, 2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
     for (std::size_t i = 0; i < 4; ++i) {
       const auto &a = corners[i], &b = corners[(i + 1) % 4];
-      for (int k = 0, count = random_.integer(1, 3); k < count; ++k) {
-        const double share = k / static_cast<double>(count);
-        const double x = x0 + size * (a[0] + share * (b[0] - a[0])), y = y0 + size * (a[1] + share * (b[1] - a[1]));
-        rim.push_back(on_rim(x, y));
-        if (random_.chance(0.7)) rim.push_back(on_rim(x + pixels(random_.real(-1, 1)), y + pixels(random_.real(-1, 1))));
-      }
+      const double along_x = (b[0] - a[0]) / 2, along_y = (b[1] - a[1]) / 2, share = random_.real(0, 2);
+      rim.push_back(at_depth(x0 + size * a[0], y0 + size * a[1], depth));
+      if (random_.chance(0.5)) continue;
+      const double x = x0 + size * (a[0] + share * along_x), y = y0 + size * (a[1] + share * along_y);
+      const double thin = pixels(small(2, 12)), out = 1 + pixels(small(-1, 5)) / size;
+      rim.push_back(at_depth(x, y, depth));
+      rim.push_back(at_depth(x0 + out * (x + thin / 2 * along_x - x0), y0 + out * (y + thin / 2 * along_y - y0),
+                             depth * (random_.chance(0.3) ? 1.25 : small(0, 4) * random_.real(1, 2))));
+      rim.push_back(at_depth(x + thin * along_x, y + thin * along_y, depth));
+      const double in = 1 - pixels(8) / size;
+      scene_.edges.push_back({rim.back(), on_ray(x0 + in * (x - x0), y0 + in * (y - y0), depth)});
     }
+    scene_.edges.push_back({rim.front(), rim.back()});
     add_fan(on_ray(x0, y0, depth), rim);
   }
 
   /// A slope of so many pixels of the picture, with its border.
-  [[nodiscard]] double pixels(double count) const { return count * 2 * half_ / (64 * 2.0 / 3); }
+  [[nodiscard]] double pixels(double count) const { return count * 2 * half_ / (scene_.options.cover.width * 2.0 / 3); }
 
   /// A triangle fan with an edge that the line of the eyes meets.
   void add_at_epipole() {
@@ -203,17 +213,20 @@ class Maker {
     const double times = some_depth() / std::fabs(ahead);
     const dvec3 meets = scene_.camera.eye + (ahead < 0 ? -1.0 : 1.0) * std::ldexp(1.0, std::ilogb(times) + 1) * way;
     const double depth = glm::dot(meets - scene_.camera.eye, axes_.forward);
+    // Powers of two, so that if the camera looks along an axis, the edge passes through that point exactly.
+    const double deep = std::ldexp(1.0, std::ilogb(depth)), wide = std::ldexp(1.0, std::ilogb(depth * half_));
     const auto aside = [&](double most) {
       const double x = random_.integer(-8, 8) / 8.0, y = random_.integer(-8, 8) / 8.0;
-      return most * depth * half_ * (x * axes_.right + y * axes_.up);
+      return most * wide * (x * axes_.right + y * axes_.up);
     };
-    const double slant = random_.integer(-3, 3) / 8.0 * depth;
-    dvec3 along = aside(0.5) + slant * axes_.forward;
-    if (along == dvec3(0)) along = depth * half_ * axes_.right;
+    dvec3 along = aside(1) + random_.integer(-3, 3) / 8.0 * deep * axes_.forward;
+    if (along == dvec3(0)) along = wide * axes_.right;
     const dvec3 from = meets - along, to = meets + (random_.chance(0.5) ? 1.0 : 0.5) * along;
-    const dvec3 beside = glm::cross(along, axes_.forward), away = depth * half_ / glm::length(beside) * sign() * beside;
+    const dvec3 beside = glm::cross(along, axes_.forward);
+    const dvec3 away = 1.5 * wide * sign() * (beside == dvec3(0) ? axes_.right : glm::normalize(beside));
     add_fan(meets + 0.5 * away,
-            {from, to, meets + along + 1.5 * away + aside(0.25), meets - along + 1.5 * away + aside(0.25)});
+            {from, to, meets + along + 1.5 * away + aside(0.5), meets - along + 1.5 * away + aside(0.5)});
+    scene_.edges.push_back({from, to});
   }
 
   /// A large plane beside the eyes or below them. Of how far it is from the middle, the eyes reach some share.
@@ -275,7 +288,7 @@ class Maker {
   /// A wall of strips, each of two slivers, or slivers that reach far out of the picture.
   void add_slivers() {
     std::vector<double> near_layers;
-    std::ranges::copy_if(layers_, std::back_inserter(near_layers), [](double depth) { return depth < 48; });
+    std::ranges::copy_if(layers_, std::back_inserter(near_layers), [](double depth) { return depth < kFarthestWall; });
     const double depth = near_layers.empty() ? some_depth() : near_layers[random_.index(near_layers.size())];
     const int strips = random_.integer(2, 8);
     const double size = random_.integer(1, 4) / 4.0 * half_ * depth,
@@ -295,20 +308,30 @@ class Maker {
     scene_.edges.push_back({corner(-size, length), corner(low, length)});
   }
 
+  /// A depth beyond another one: in a plane in focus or just before or behind it, where eyes move things by little; near the
+  /// other one; or any.
+  [[nodiscard]] double some_depth_beyond(double depth) {
+    if (random_.chance(0.3)) return depth * (1 + small(1, 14));
+    std::vector<double> beyond;
+    std::ranges::copy_if(layers_, std::back_inserter(beyond),
+                         [&](double layer) { return layer > depth && layer < kFarthestWall; });
+    if (beyond.empty() || random_.chance(0.2)) return some_depth();
+    return beyond[random_.index(beyond.size())] * about_one();
+  }
+
   /// Small things a pixel or two beside an edge of a wall, as seen from the middle of the eyes, and anywhere.
   void add_things() {
     for (int i = random_.integer(20, 28); i > 0; --i) {
       double x = random_.real(-1, 1) * half_, y = random_.real(-1, 1) * half_, depth = some_depth() * about_one();
-      if (!scene_.edges.empty() && random_.chance(0.8)) {
-        const auto& [a, b] = scene_.edges[random_.index(scene_.edges.size())];
-        const double share = random_.chance(0.3) ? random_.integer(0, 1) : random_.real(0, 1);
-        const dvec3 p = a + share * (b - a) - scene_.camera.eye;
-        const double along = glm::dot(p, axes_.forward);
-        if (along > near_) {
-          x = glm::dot(p, axes_.right) / along + pixels(random_.real(-3, 3));
-          y = glm::dot(p, axes_.up) / along + pixels(random_.real(-3, 3));
-          if (random_.chance(0.6)) depth = along * (1 + small(1, 14));
-        }
+      const auto& [a, b] = scene_.edges[random_.index(scene_.edges.size())];
+      const double share = random_.chance(0.3) ? random_.integer(0, 1) : random_.real(0, 1);
+      const dvec3 p = a + share * (b - a) - scene_.camera.eye;
+      const double along = glm::dot(p, axes_.forward);
+      if (along > near_ && random_.chance(0.8)) {
+        const double beside = pixels(3 * small(0, 2));
+        x = glm::dot(p, axes_.right) / along + beside * random_.real(-1, 1);
+        y = glm::dot(p, axes_.up) / along + beside * random_.real(-1, 1);
+        depth = some_depth_beyond(along);
       }
       const double size = pixels(small(0, 8)) * depth;
       const std::vector<dvec3> thing{on_ray(x, y, depth), on_ray(x, y, depth) + size * axes_.right,
@@ -333,6 +356,7 @@ class Maker {
   Random& random_;
   RegionScene scene_;
   Camera::Axes axes_{};
+  bool is_along_axis_ = false;
   double half_ = 0;  ///< of the picture, at a distance of 1
   double near_ = 0;  ///< beyond the near planes of all eyes
   kernel::Aabb extent_{};

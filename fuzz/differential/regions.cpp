@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -27,9 +26,7 @@ void run_regions(std::uint64_t seed, Report& report) {
   report.tally.relations[1] += result.stats.drawn_polygons;
   report.tally.relations[2] += result.stats.view_culled_polygons;
   report.tally.stages[0] += culler.hierarchy().soup().size();
-  std::size_t lines = 0;
-  std::string wrong = fault_of_sight(random, culler, scene.camera, result, lines);
-  report.tally.judged_twice += lines;
+  std::string wrong = fault_of_sight(random, culler, scene.camera, result, report.tally.lines_of_sight);
   if (wrong.empty()) wrong = fault_of(culler, scene.camera, scene.options, result);
   if (!wrong.empty()) add_finding(report, "frame", wrong);
 }

@@ -12,6 +12,7 @@ Tally& Tally::operator+=(const Tally& other) {
   for (std::size_t i = 0; i < relations.size(); ++i) relations[i] += other.relations[i];
   for (std::size_t i = 0; i < stages.size(); ++i) stages[i] += other.stages[i];
   judged_twice += other.judged_twice;
+  lines_of_sight += other.lines_of_sight;
   disagreements += other.disagreements;
   planes_asked += other.planes_asked;
   undecided += other.undecided;

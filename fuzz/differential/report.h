@@ -29,12 +29,16 @@ struct WrongAnswers {
   friend bool operator==(const WrongAnswers&, const WrongAnswers&) = default;
 };
 
+/// The lines of sight that try to refute a cull.
+inline constexpr std::uint64_t kLinesOfCull = 256;
+
 struct Tally {
   std::uint64_t cases = 0;
   std::uint64_t refused = 0;                 ///< by the kernel and by the oracle
   std::array<std::uint64_t, 3> relations{};  ///< the answered cases, by kernel::Relation
   std::array<std::uint64_t, 2> stages{};     ///< by kernel::Stage
   std::uint64_t judged_twice = 0;            ///< also by the second oracle
+  std::uint64_t lines_of_sight = 0;          ///< tried to refute culls, at most kLinesOfCull a case
   std::uint64_t disagreements = 0;           ///< cases with at least one finding
   std::uint64_t planes_asked = 0;            ///< boxes outside about which `conservative` was asked
   std::uint64_t undecided = 0;               ///< boxes outside for which `conservative` says partial

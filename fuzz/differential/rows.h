@@ -48,8 +48,8 @@ void run_forgeries(std::uint64_t seed, Report& report);
 
 /// Gives the prover witness lines for regions of eyes that were bent: a window taken away or narrowed, a sheet without a
 /// polygon or of another window, a focus plane moved, another region or near plane, a box that reaches nearer, another
-/// polygon. A case is a line, as above. Lines of sight from eyes of the region try to refute each; what they refute is
-/// judged twice, and must not be accepted.
+/// polygon. A case is a line: `inside` means that the prover accepts it, `outside` that it does not and that a line of sight
+/// from an eye of the region refutes it, `partial` that it does not accept it either. What is refuted must not be accepted.
 void run_region_forgeries(std::uint64_t seed, Report& report);
 
 /// Checks a small scene from a few viewpoints: every polygon is drawn or culled once, and every cull by cover is proved.
@@ -57,7 +57,7 @@ void run_joined(std::uint64_t seed, Report& report);
 
 /// Checks frames for regions of eyes over small scenes, each of which aims at one thing that is hard to bound
 /// (region_scenes.h). Every cull is proved by the oracle, and exact lines of sight from eyes of the region must not refute
-/// it: what is judged twice are these lines. A case is a polygon of a frame, as above.
+/// it. A case is a polygon of a frame, as in run_culling().
 void run_regions(std::uint64_t seed, Report& report);
 
 /// Changes a small scene at random, some seventy times, with stale ids and frames between. A case is an object of a frame:

@@ -8,8 +8,10 @@
 #include <variant>
 
 #include "cases/to_oracle.h"
+#include "occlude/fuzz/case.h"
 #include "occlude/oracle/region.h"
 #include "occlude/oracle/sight.h"
+#include "report.h"
 
 namespace occlude::fuzz {
 namespace {
@@ -56,7 +58,7 @@ std::vector<oracle::Triangle> triangles_of(culler::SoupView soup) {
   return triangles;
 }
 
-constexpr std::size_t kEyes = 16, kPointsOfEye = 4;
+constexpr std::size_t kEyes = 16, kPointsOfEye = kLinesOfCull / kEyes;
 
 }  // namespace
 
@@ -85,8 +87,7 @@ Point some_point(Random& random, const kernel::Aabb& box) {
 }
 
 std::string fault_of_sight(Random& random, const culler::Culler& culler, const proof::AnyCamera& camera,
-                           const culler::CullResult& result, std::size_t& lines) {
-  lines = 0;
+                           const culler::CullResult& result, std::uint64_t& lines) {
   const auto is_by_cover = [](const culler::Culled& culled) { return culled.by == culler::Culled::By::cover; };
   const proof::Eyes region = proof::eyes_of(camera);
   if (!region || std::ranges::none_of(result.culled, is_by_cover)) return "";

@@ -2,7 +2,7 @@
 // Refutes culls of regions of eyes by single lines of sight.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,8 +21,8 @@ namespace occlude::fuzz {
 
 /// What is wrong with what `result` culls by cover, which culler.cull(camera) returned: from some eye of the region, a
 /// corner or another point of the box of a culled subtree has no opaque polygon before it, beyond the near plane. Empty when
-/// no line of sight that was tried is clear; `lines` is their number.
+/// no line of sight that was tried is clear. Their number is added to `lines`: at most kLinesOfCull for each subtree.
 [[nodiscard]] std::string fault_of_sight(Random& random, const culler::Culler& culler, const proof::AnyCamera& camera,
-                                         const culler::CullResult& result, std::size_t& lines);
+                                         const culler::CullResult& result, std::uint64_t& lines);
 
 }  // namespace occlude::fuzz

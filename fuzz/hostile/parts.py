@@ -120,7 +120,7 @@ def read_reasons(part, _):
         part.number(f"reason {reason}")
 
 
-TALLY = ("cases", "refused", "inside", "partial", "outside", "filter", "exact", "judged_twice", "disagreements", "asked",
+TALLY = ("cases", "refused", "inside", "partial", "outside", "filter", "exact", "judged_twice", "lines", "disagreements", "asked",
          "undecided", "others_asked", "plain culls", "plain draws", "float32 culls", "float32 draws", "fused culls",
          "fused draws")
 
