@@ -59,11 +59,11 @@ class Maker {
   [[nodiscard]] double sign() { return random_.chance(0.5) ? 1 : -1; }
   /// 2^-low to 2^-high.
   [[nodiscard]] double small(int low, int high) { return std::ldexp(1.0, -random_.integer(low, high)); }
-  /// Of the size of a scene. Rounding leaves small numbers where 0 would be if a camera looked along an axis, which have to
-  /// be legal.
+  /// Of the size of a scene, in which planes in focus have to be legal, too. Rounding leaves small numbers where 0 would be
+  /// if a camera looked along an axis, which have to be legal.
   [[nodiscard]] int some_exponent() {
-    const int least = is_along_axis_ ? -80 : -30;
-    return random_.chance(0.5) ? random_.integer(least, 80) : random_.chance(0.5) ? least : 80;
+    const int least = is_along_axis_ ? -80 : -30, most = 88 - std::ilogb(extent_.max.x - scene_.camera.eye.x);
+    return random_.chance(0.5) ? random_.integer(least, most) : random_.chance(0.5) ? least : most;
   }
   /// A number near 1, or 1.
   [[nodiscard]] double about_one() { return random_.chance(0.3) ? 1 : 1 + sign() * small(1, 52); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the eyes of a region do in a picture with a plane in focus: positions, edges and planes hold from each of them.
+// What the eyes of a region do in a picture with a plane in focus: positions, boxes, edges and planes hold from each of
+// them.
 #include "cover/eye_moves.h"
 
 #include <gtest/gtest.h>
@@ -11,12 +12,15 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <initializer_list>
 #include <iostream>
 #include <limits>
 #include <random>
 
 #include "camera/frame_view.h"
 #include "cover/conservative_viewport.h"
+#include "cover/cover_buffer.h"
+#include "cover/projected_boxes.h"
 #include "cover/projected_plane.h"
 #include "scenes.h"
 #include "seed.h"
@@ -58,7 +62,8 @@ class EyeMovesTest : public testing::Test {
         camera.eyes = EyeRegion::box(size * camera.axes().forward, 0.1 * camera.axes().right);
     }
     eyes_ = camera.eyes;
-    picture_ = ConservativeViewport(FrameView(camera, kDepth), {512, 288, 16}, 0);
+    view_ = FrameView(camera, kDepth);
+    picture_ = ConservativeViewport(view_, {512, 288, 16}, 0);
     focus_ = number(0, 1) * number(0, 1) * picture_.most_focus();
   }
 
@@ -98,6 +103,7 @@ class EyeMovesTest : public testing::Test {
   static constexpr double kDepth = 4000;
   std::mt19937 random_{seed_of(1)};
   EyeRegion eyes_;
+  FrameView view_;
   ConservativeViewport picture_;
   double focus_ = 0;
 };
@@ -122,6 +128,63 @@ TEST_F(EyeMovesTest, HoldPositions) {
     tight += nearest < 0.1 * std::max(moved.high.x - moved.low.x, moved.high.y - moved.low.y) ? 1 : 0;
   }
   EXPECT_GT(tight, all / 2) << "the bounds are much too large";
+}
+
+TEST_F(EyeMovesTest, HoldBoxes) {
+  std::size_t known = 0, tight = 0;
+  for (int i = 0; i < 20000; ++i) {
+    next_picture();
+    FocusLayers in_focus;
+    in_focus.focus[0] = static_cast<float>(focus_);
+    focus_ = in_focus.focus[0];
+    const glm::dvec3 low = some_point(), high = low + some_size(1e-4, 1) * glm::abs(some_vector());
+    const BoxPicture picture(picture_, {0, 0}, in_focus);
+    ProjectedBoxes boxes;
+    boxes.add(picture, {{low.x, low.y, low.z}, {high.x, high.y, high.z}});
+    boxes.project(picture);
+    if (boxes.most[0] == std::numeric_limits<float>::infinity()) continue;
+    ++known;
+    int leftmost = picture_.width();
+    for (int k = 0; k < 32; ++k) {
+      const glm::dvec3 share = 0.5 * (some_vector() + 1.0),
+                       p = low + (k % 2 == 0 ? glm::round(share) : share) * (high - low);
+      const Place at = seen_from(some_eye(), Vector(p));
+      const int x = pixel_at(static_cast<double>(at.x), picture_.width()),
+                y = pixel_at(static_cast<double>(at.y), picture_.height());
+      ASSERT_TRUE(boxes.x0[0] <= x && x < boxes.x1[0]) << "box " << i;
+      ASSERT_TRUE(boxes.y0[0] <= y && y < boxes.y1[0]) << "box " << i;
+      ASSERT_LE(at.nearness, boxes.most[0]) << "box " << i;
+      leftmost = std::min(leftmost, x);
+    }
+    tight += leftmost <= boxes.x0[0] + 1 ? 1 : 0;
+  }
+  EXPECT_GT(known, 10000U);
+  EXPECT_GT(tight, known / 2) << "the bounds are much too large";
+}
+
+/// What a layer starts with is not closure, and must hide no box that asks it.
+TEST_F(EyeMovesTest, BoxesAskLayersThatStartNoNearer) {
+  std::size_t around = 0;
+  for (int i = 0; i < 200; ++i) {
+    next_picture();
+    CoverBuffer buffer;
+    buffer.begin(view_, 64, 64, 0);
+    const BoxPicture& picture = buffer.box_picture();
+    for (std::size_t layer = 0; layer < picture.layers.count; ++layer) {
+      const double distance =
+          (1 + std::ldexp(number(-1, 1), -static_cast<int>(random_() % 30))) / picture.layers.focus[layer];
+      const glm::dvec3 p = point(0, 0, distance);
+      ProjectedBoxes boxes;
+      boxes.add(picture, {{p.x, p.y, p.z}, {p.x, p.y, p.z}});
+      boxes.project(picture);
+      for (const BoxPixels* asked : std::initializer_list<const BoxPixels*>{&boxes, &boxes.nearer_layer}) {
+        const auto at = static_cast<std::size_t>(asked->first_tile[0] / picture.tiles_of_layer);
+        ASSERT_LE(picture.layers.start(at), boxes.most[0]) << "picture " << i << ", layer " << layer;
+        around += at == layer ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(around, 1000U);
 }
 
 /// Of long edges and of such as are shorter than the moves, whose ends may pass each other.
