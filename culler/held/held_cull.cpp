@@ -11,14 +11,14 @@
 namespace occlude::culler {
 
 struct HeldCull::State {
-  State(const Culler& culler, HeldOptions options)
-      : frames(HeldModel(culler, std::move(options.cull)), options.way, options.later, options.is_repeatable) {}
+  State(const Culler& culler, HeldOptions options, const CullOptions& cull)
+      : frames(HeldModel(culler, cull), std::move(options)) {}
 
   HeldFrames<HeldModel> frames;
 };
 
-HeldCull::HeldCull(const Culler& culler, HeldOptions options)
-    : state_(std::make_unique<State>(culler, std::move(options))) {}
+HeldCull::HeldCull(const Culler& culler, HeldOptions options, const CullOptions& cull)
+    : state_(std::make_unique<State>(culler, std::move(options), cull)) {}
 HeldCull::~HeldCull() = default;
 HeldCull::HeldCull(HeldCull&&) noexcept = default;
 HeldCull& HeldCull::operator=(HeldCull&&) noexcept = default;
@@ -34,14 +34,14 @@ const HeldResult& HeldCull::cull(const MatrixCamera& camera, double seconds) {
 const HeldStats& HeldCull::stats() const { return state_->frames.stats(); }
 
 struct HeldSceneCull::State {
-  State(const Scene& scene, HeldSceneOptions options)
-      : frames(HeldWorld(scene, options.cull), options.way, options.later, options.is_repeatable) {}
+  State(const Scene& scene, HeldOptions options, const SceneOptions& cull)
+      : frames(HeldWorld(scene, cull), std::move(options)) {}
 
   HeldFrames<HeldWorld> frames;
 };
 
-HeldSceneCull::HeldSceneCull(const Scene& scene, HeldSceneOptions options)
-    : state_(std::make_unique<State>(scene, std::move(options))) {}
+HeldSceneCull::HeldSceneCull(const Scene& scene, HeldOptions options, const SceneOptions& cull)
+    : state_(std::make_unique<State>(scene, std::move(options), cull)) {}
 HeldSceneCull::~HeldSceneCull() = default;
 HeldSceneCull::HeldSceneCull(HeldSceneCull&&) noexcept = default;
 HeldSceneCull& HeldSceneCull::operator=(HeldSceneCull&&) noexcept = default;

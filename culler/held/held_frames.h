@@ -75,12 +75,18 @@ struct ComparedRegion {
 template <class Source>
 class HeldFrames {
  public:
-  HeldFrames(Source source, AheadOptions way, const Later& later, bool is_repeatable)
-      : source_(std::move(source)), way_(way), is_repeatable_(is_repeatable), background_(later) {}
+  HeldFrames(Source source, HeldOptions options)
+      : source_(std::move(source)),
+        way_(options.way),
+        is_repeatable_(options.is_repeatable),
+        background_(std::move(options.later)) {
+    static_cast<void>(ahead(Camera{}, glm::dvec3(0), 0, way_));  // throws for one of which there are no regions
+  }
 
   template <class AnyCamera>
   void cull(const AnyCamera& camera, double seconds) {
     require_sound(camera);
+    if (!std::isfinite(seconds)) throw std::invalid_argument("the time of the frame is not finite");
     const FrameView view(camera, 0);
     motion_.see(view.eye, view.axes.forward, seconds);
     ++stats_.frames;

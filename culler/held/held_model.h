@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "camera/frame_view.h"
@@ -28,7 +27,7 @@ class HeldModel {
   using Region = HeldRegion;
   static constexpr bool kAround = true;
 
-  HeldModel(const Culler& culler, CullOptions options) : culler_(culler), options_(std::move(options)) {}
+  HeldModel(const Culler& culler, const CullOptions& options) : culler_(culler), options_(options) {}
 
   [[nodiscard]] double depth(const glm::dvec3& eye) const { return culler::depth(culler_.hierarchy().nodes()[0].box, eye); }
   template <class AnyCamera>
@@ -37,12 +36,12 @@ class HeldModel {
   }
 
   void cull(HeldRegion& region, std::span<const Camera> cameras, double stretch) {
-    CullOptions options = options_;
+    CullOptions options = beside();
     options.margin *= stretch;
     region.cull(culler_, cameras, options, view_of_regions_);
   }
   ComparedRegion compare(const HeldRegion& region, const Camera& camera) {
-    const double ms = milliseconds([&] { culler_.cull(camera, options_, view_compared_); });
+    const double ms = milliseconds([&] { culler_.cull(camera, beside(), view_compared_); });
     const CullResult& frame = view_compared_.result();
     std::vector<kernel::HalfSpace> planes;
     to_planes(frame.view, planes);
@@ -75,6 +74,13 @@ class HeldModel {
   [[nodiscard]] const CullResult& frame_by_point() const { return view_by_point_.result(); }
 
  private:
+  /// The options of what is culled on another thread: the executor is for the caller's.
+  [[nodiscard]] CullOptions beside() const {
+    CullOptions options = options_;
+    options.executor = nullptr;
+    return options;
+  }
+
   const Culler& culler_;
   CullOptions options_;
   HeldResult result_;

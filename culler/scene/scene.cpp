@@ -67,6 +67,7 @@ bool holds_any(const Parts& scene, const SceneView& held, const AnyCamera& camer
 template <class Parts, class AnyCamera>
 const SceneResult& cull_held_any(const Parts& scene, const AnyCamera& camera, const SceneOptions& options,
                                  const SceneView& held, SceneView& view) {
+  if (&held == &view) throw std::invalid_argument("a frame cannot be held against its own view");
   if (!holds_any(scene, held, camera, options)) throw std::invalid_argument("the held frame does not hold");
   SceneView::Memory& memory = memory_of(view);
   memory.view = view_of(scene.objects, scene.occluders, camera, {});

@@ -128,9 +128,7 @@ std::vector<Move> moves(const Way& way, double frames_a_second, const std::vecto
 
 HeldMove measure(const culler::Culler& culler, const Move& move, const HeldBenchOptions& options) {
   Beside beside(1000 / options.frames_a_second);
-  culler::HeldOptions how = options.held;
-  how.later = beside.later();
-  culler::HeldCull held(culler, how);
+  culler::HeldCull held(culler, {.later = beside.later()}, options.cull);
   culler::View view;
   HeldMove result;
   result.name = move.name;
@@ -149,7 +147,7 @@ HeldMove measure(const culler::Culler& culler, const Move& move, const HeldBench
     if (frame % options.compare_every != 0) continue;
     ++compared;
     const culler::CullResult* by_point = nullptr;
-    result.point_ms += milliseconds([&] { by_point = &culler.cull(camera, how.cull, view); });
+    result.point_ms += milliseconds([&] { by_point = &culler.cull(camera, options.cull, view); });
     hidden += static_cast<double>(by_point->stats.shadow_culled_polygons);
     more += static_cast<double>(drawn->drawn_polygons) - static_cast<double>(by_point->stats.drawn_polygons);
     result.drawn += static_cast<double>(drawn->drawn_polygons);
@@ -168,7 +166,7 @@ HeldMove measure(const culler::Culler& culler, const Move& move, const HeldBench
 
 HeldBenchResult bench_held(const Subject& subject, const HeldBenchOptions& options) {
   const culler::Culler culler(subject.soup, {.hierarchy = {.leaf_size = options.leaf}});
-  culler.prepare(options.held.cull.method);
+  culler.prepare(options.cull.method);
   const Way way(subject.path);
   HeldBenchResult result{subject.name, subject.soup.size(), {}};
   for (const Move& move : moves(way, options.frames_a_second, options.speeds))

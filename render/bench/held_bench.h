@@ -18,7 +18,7 @@ struct HeldBenchOptions {
   double frames_a_second = 60;
   std::uint32_t leaf = culler::leaf_size_for(culler::Method::cover);
   std::vector<double> speeds;  ///< along the path, model units a second, instead of the ways to move; may be empty
-  culler::HeldOptions held = {};
+  culler::CullOptions cull = {.method = culler::Method::cover};
 };
 
 /// One way to move: what its frames take.

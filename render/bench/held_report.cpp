@@ -73,7 +73,7 @@ std::string json_of(const HeldBenchResult& result, const HeldBenchOptions& optio
                   {"polygons", result.polygons},
                   {"frames", options.frames},
                   {"frames_a_second", options.frames_a_second},
-                  {"cover_size", {options.held.cull.cover.width, options.held.cull.cover.height}},
+                  {"cover_size", {options.cull.cover.width, options.cull.cover.height}},
                   {"leaf", options.leaf},
                   {"moves", moves},
                   {"machine", json_of(render::this_machine())}};

@@ -44,6 +44,7 @@ std::vector<bool> drawn_polygons(const Culler& culler, const HeldResult& result)
 }
 
 constexpr CoverOptions kCover{.width = 256, .height = 144};
+constexpr CullOptions kHow{.method = Method::cover, .cover = kCover};
 
 /// Rows of houses of different heights along streets, without gaps but for some, with small things in the streets.
 PolygonSoup streets(std::mt19937& random) {
@@ -68,10 +69,7 @@ TEST(HeldCull, NothingThatIsSeenIsEverLeftOut) {
   std::mt19937 random(seed_of(5621));
   const Culler culler(streets(random), {.hierarchy = {.leaf_size = 4}});
   Delays delays;
-  HeldOptions options;
-  options.cull.cover = kCover;
-  options.later = delays.later([&] { return random() % 4 == 0 ? uniform(random, 0, 0.5) : 0.01; });
-  HeldCull held(culler, options);
+  HeldCull held(culler, {.later = delays.later([&] { return random() % 4 == 0 ? uniform(random, 0, 0.5) : 0.01; })}, kHow);
   Wanderer wanderer(random);
   unsigned rays = 0;
   const unsigned frames = frames_wanted();
@@ -98,8 +96,7 @@ TEST(HeldCull, NothingThatIsSeenIsEverLeftOut) {
 
 /// How many frames of a walk are by point.
 HeldStats walk(const Culler& culler, HeldOptions options, double speed, double turning, unsigned frames) {
-  options.cull.cover = kCover;
-  HeldCull held(culler, options);
+  HeldCull held(culler, std::move(options), kHow);
   for (unsigned frame = 0; frame < frames; ++frame) {
     const double now = frame / 60.0, angle = glm::radians(turning) * now;
     Camera camera{.eye = {-40, 1, 1.7}, .near_plane = 0.05};
@@ -137,9 +134,7 @@ TEST(HeldCull, WithoutAnotherThreadRegionsAreCulledWhenTheyAreNeeded) {
 
 TEST(HeldCull, RepeatableResultsDependOnNoThread) {
   const auto run = [&](Later later, HeldStats& stats) {
-    HeldOptions options{.later = std::move(later), .is_repeatable = true};
-    options.cull.cover = kCover;
-    HeldCull held(town(), options);
+    HeldCull held(town(), {.later = std::move(later), .is_repeatable = true}, kHow);
     std::mt19937 random(5);
     Wanderer wanderer(random);
     std::vector<std::size_t> drawn;
@@ -179,9 +174,14 @@ TEST(HeldCull, ItsThreadsTouchNothingThatIsGone) {
 }
 
 TEST(HeldCull, WhatIsThrown) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   HeldCull held(town(), {.later = [](const std::function<void()>&) { throw std::runtime_error("no thread"); }});
   EXPECT_THROW(static_cast<void>(held.cull(Camera{}, 0)), std::runtime_error);
   EXPECT_NE(refusal([&] { static_cast<void>(held.cull(Camera{.near_plane = -1}, 1)); }), "");
+  EXPECT_EQ(refusal([&] { static_cast<void>(held.cull(Camera{}, kNaN)); }), "the time of the frame is not finite");
+  EXPECT_EQ(refusal([&] { const HeldCull turns(town(), {.way = {.turn_degrees = -1}}); }),
+            "the way ahead: the camera must turn by 0 degrees or more");
+  EXPECT_NE(refusal([&] { const HeldCull nowhere(town(), {.way = {.aside = kNaN}}); }), "");
 }
 
 TEST(HeldCull, ParallelRaysAreCulledByPoint) {
@@ -204,7 +204,7 @@ TEST(HeldRegions, AllAround) {
   HeldRegion region;
   View view;
   EXPECT_FALSE(region.holds_for(camera));
-  region.cull(town(), cameras, {.method = Method::cover, .cover = kCover}, view);
+  region.cull(town(), cameras, kHow, view);
   for (int k = 0; k < 1000; ++k) {
     camera.eye = dvec3(uniform(random, 0.001, 0.999), uniform(random, -0.09, 0.09), uniform(random, 1.96, 2.04));
     const auto [x, y, z] = random_vector(random, -1, 1);

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -230,9 +231,10 @@ HeldStats walk(bool is_repeatable) {
   std::mt19937 random(seed_of(5632));
   Town town(random);
   Delays delays;
-  HeldSceneCull held(town.scene, {.cull = kHow,
-                                  .later = delays.later([&] { return random() % 4 == 0 ? uniform(random, 0, 0.5) : 0.01; }),
-                                  .is_repeatable = is_repeatable});
+  HeldSceneCull held(town.scene,
+                     {.later = delays.later([&] { return random() % 4 == 0 ? uniform(random, 0, 0.5) : 0.01; }),
+                      .is_repeatable = is_repeatable},
+                     kHow);
   Wanderer wanderer(random);
   unsigned rays = 0;
   const unsigned frames = frames_wanted();
@@ -274,8 +276,8 @@ TEST(HeldSceneCull, UpdatesWaitForRegions) {
   std::mt19937 random(seed_of(5633));
   Town town(random);
   std::vector<std::thread> threads;
-  HeldSceneCull held(town.scene,
-                     {.cull = kHow, .later = [&](std::function<void()> task) { threads.emplace_back(std::move(task)); }});
+  HeldSceneCull held(town.scene, {.later = [&](std::function<void()> task) { threads.emplace_back(std::move(task)); }},
+                     kHow);
   unsigned held_frames = 0;
   for (unsigned frame = 0; frame < 200; ++frame) {
     town.change();
@@ -343,6 +345,12 @@ TEST(HeldScenes, WhatHappensToOccluders) {
       w.scene.move(w.thing, Aabb{{500, 20, 0}, {501, 21, 1}});
     })) << "farther than all was";
   }
+}
+
+TEST(HeldScenes, NoFrameIsHeldAgainstItsOwnView) {
+  WallAndThing w({});
+  EXPECT_THROW(w.scene.cull(w.camera, kHow, w.held, w.held), std::invalid_argument);
+  EXPECT_EQ(w.hidden(), 2U) << "the view keeps its frame";
 }
 
 TEST(HeldScenes, WhatMovesHidesNothing) {

@@ -19,10 +19,8 @@ namespace occlude::culler {
 /// run at once on the calling thread, or never.
 using Later = std::function<void(std::function<void()> task)>;
 
-/// How frames are culled that hold.
+/// When and where regions are culled.
 struct HeldOptions {
-  /// Of all culls. `margin` is a share of the height of the picture of the cameras that are culled for.
-  CullOptions cull = {.method = Method::cover};
   /// How far the eye may leave its way, at least, and the camera turn, at least.
   AheadOptions way = {.turn_degrees = 2};
   /// Where regions are culled while frames are drawn. Empty: on the calling thread, when one is needed.
@@ -64,14 +62,17 @@ struct HeldResult {
 ///    wait for a task that is running; one that has not begun never touches the culler.
 class HeldCull {
  public:
-  /// REQUIRES: the culler outlives this.
-  explicit HeldCull(const Culler& culler, HeldOptions options = {});
+  /// `cull` is of all culls: its margin is a share of the height of the picture of the cameras that are culled for, and its
+  /// executor does frames by point. REQUIRES: the culler and that executor outlive this. Throws std::invalid_argument for an
+  /// options.way that ahead() refuses.
+  explicit HeldCull(const Culler& culler, HeldOptions options = {}, const CullOptions& cull = {.method = Method::cover});
   ~HeldCull();
   HeldCull(HeldCull&&) noexcept;
   HeldCull& operator=(HeldCull&&) noexcept;
 
   /// What to draw for the next frame, at this time: seconds by any clock, from which speeds are found. The result is valid
-  /// until the next frame. Throws as Culler::cull().
+  /// until the next frame. Throws as Culler::cull(), std::invalid_argument for a time that is not finite, and what
+  /// options.later throws.
   const HeldResult& cull(const Camera& camera, double seconds);
   const HeldResult& cull(const MatrixCamera& camera, double seconds);
 
@@ -80,14 +81,6 @@ class HeldCull {
  private:
   struct State;
   std::unique_ptr<State> state_;
-};
-
-/// As HeldOptions.
-struct HeldSceneOptions {
-  SceneOptions cull = {};
-  AheadOptions way = {.turn_degrees = 2};
-  Later later = {};
-  bool is_repeatable = false;
 };
 
 /// The same for a scene, with what differs:
@@ -99,13 +92,14 @@ struct HeldSceneOptions {
 /// 3. While the camera turns fast, frames are culled by point.
 class HeldSceneCull {
  public:
-  /// REQUIRES: the scene outlives this, and is not moved.
-  explicit HeldSceneCull(const Scene& scene, HeldSceneOptions options = {});
+  /// `cull` is of all culls; its executor does frames, not regions. REQUIRES: the scene and that executor outlive this, and
+  /// the scene is not moved. Throws as the constructor of HeldCull.
+  explicit HeldSceneCull(const Scene& scene, HeldOptions options = {}, const SceneOptions& cull = {});
   ~HeldSceneCull();
   HeldSceneCull(HeldSceneCull&&) noexcept;
   HeldSceneCull& operator=(HeldSceneCull&&) noexcept;
 
-  /// As HeldCull::cull(). Throws as Scene::cull().
+  /// As HeldCull::cull(). Throws as that and as Scene::cull().
   const SceneResult& cull(const Camera& camera, double seconds);
   const SceneResult& cull(const MatrixCamera& camera, double seconds);
 

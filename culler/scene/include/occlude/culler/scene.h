@@ -297,7 +297,7 @@ class Scene {
   /// A frame in which nothing is drawn into a coarse picture: what hid in the last frame of `held` hides. Each object is
   /// asked where it is now, so that objects may come, go and move. Occluders that move hide nothing, and new ones not yet.
   /// Otherwise as cull(), but nothing is known of why() and no witness appended for such a frame, and in it
-  /// SceneView::visibility() knows of no occluder. Throws std::invalid_argument unless holds().
+  /// SceneView::visibility() knows of no occluder. Throws std::invalid_argument unless holds(), and if `held` is `view`.
   const SceneResult& cull(const Camera& camera, const SceneOptions& options, const SceneView& held, SceneView& view) const;
   const SceneResult& cull(const MatrixCamera& camera, const SceneOptions& options, const SceneView& held,
                           SceneView& view) const;
