@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The street of scene.cpp by the C interface: two rows of houses, things in the courts behind them, and a bus that drives
-// along behind one row. The example walks down the street and prints what must be drawn.
+// along behind one row. The example walks down the street and prints what must be drawn, then walks slowly, with culls that
+// hold.
 #include <occlude.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -110,6 +111,21 @@ int main(void) {
            : spawn == OCCLUDE_OCCLUDED ? "hidden"
                                        : "out of view");
   }
+  // The same at 60 frames a second: what hides is found now and then, for all eyes near the way, and holds between.
+  occlude_held_cull* held = NULL;
+  check(occlude_held_cull_create(scene, NULL, &held));  // or with the function of a job system, occlude_held_options.later
+  for (int i = 0; i < 120; ++i) {
+    const double seconds = i / 60.0;
+    camera.eye[0] = 1.5 * seconds;
+    camera.target[0] = camera.eye[0] + 1;
+    check(occlude_held_cull_next_look_at(held, &camera, seconds));
+    occlude_frame frame = OCCLUDE_FRAME_INIT;
+    check(occlude_held_cull_frame(held, &frame));  // draw frame.objects
+  }
+  occlude_held_counts counts = OCCLUDE_HELD_COUNTS_INIT;
+  check(occlude_held_cull_counts(held, &counts));
+  printf("walking: %zu frames, %zu culled for themselves, %zu regions\n", counts.frames, counts.of_point, counts.regions);
+  occlude_held_cull_destroy(held);
   occlude_view_destroy(view);
   occlude_scene_destroy(scene);
   return 0;

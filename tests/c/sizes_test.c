@@ -75,6 +75,22 @@ static occlude_status make_mesh(const void* data) {
   return status;
 }
 
+static occlude_status go_ahead(const void* options) {
+  occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  const double velocity[3] = {1, 0, 0};
+  const occlude_status status = occlude_ahead_look_at(&camera, velocity, 1, options, &camera);
+  // The box of the eyes, by the defaults of what the struct does not have.
+  if (status == OCCLUDE_OK) CHECK(camera.eyes.half_edges[0][0] > 0.49 && camera.eyes.half_edges[2][2] > 0.049);
+  return status;
+}
+
+static occlude_status hold(const void* options) {
+  occlude_held_cull* held = NULL;
+  const occlude_status status = occlude_held_cull_create(scene, options, &held);
+  occlude_held_cull_destroy(held);
+  return status;
+}
+
 /// What is written ends where the struct does.
 static void outputs(void) {
   occlude_statistics statistics = OCCLUDE_STATISTICS_INIT;
@@ -90,6 +106,16 @@ static void outputs(void) {
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "frame is of a newer version than the library", occlude_view_frame(view, &frame));
   frame.size = 3;
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "frame: its size is 3, which is of no version", occlude_view_frame(view, &frame));
+  occlude_held_cull* held = NULL;
+  CHECK_OK(occlude_held_cull_create(scene, NULL, &held));
+  occlude_held_counts counts = OCCLUDE_HELD_COUNTS_INIT;
+  counts.size = 2 * sizeof(size_t);
+  counts.regions = 77;
+  const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  CHECK_OK(occlude_held_cull_next_look_at(held, &camera, 0));
+  CHECK_OK(occlude_held_cull_counts(held, &counts));
+  CHECK(counts.frames == 1 && counts.of_point == 0 && counts.regions == 77);
+  occlude_held_cull_destroy(held);
 }
 
 /// The first version's matrix, depth and order are needed; the eyes are not.
@@ -120,9 +146,9 @@ static void reserved(void) {
   occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
   camera.reserved = 1;
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "camera: reserved is not 0", cull_by_camera(&camera));
-  occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
-  options.reserved = 1;
-  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "options: reserved is not 0", cull_by_options(&options));
+  occlude_held_options held = OCCLUDE_HELD_OPTIONS_INIT;
+  held.reserved = 1;
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "options: reserved is not 0", hold(&held));
 }
 
 static void sizes(void) {
@@ -132,12 +158,16 @@ static void sizes(void) {
   const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
   const occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
   const occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  const occlude_ahead_options ahead = OCCLUDE_AHEAD_OPTIONS_INIT;
+  const occlude_held_options held = OCCLUDE_HELD_OPTIONS_INIT;
   every_length(&object, sizeof object, add_object);
   every_length(&occluder, sizeof occluder, add_occluder);
   CHECK_OK(occlude_scene_update(scene));
   every_length(&camera, sizeof camera, cull_by_camera);
   every_length(&options, sizeof options, cull_by_options);
   every_length(&data, sizeof data, make_mesh);
+  every_length(&ahead, sizeof ahead, go_ahead);
+  every_length(&held, sizeof held, hold);
   CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &options, view));
   outputs();
   reserved();

@@ -16,7 +16,8 @@
 //    its own. Changes may be made while others cull, one change at a time; but different objects that have
 //    occlude_object_options.moves may be moved on several threads at once. occlude_scene_update() must run alone. A view
 //    belongs to one thread while it is culled with; between frames any number of threads may ask it. Meshes may be made on
-//    any thread, and used on all. An occlude_executor spreads one call over threads of the caller.
+//    any thread, and used on all. An occlude_executor spreads one call over threads of the caller. An occlude_held_cull
+//    belongs to one thread at a time.
 // 6. **Coordinates** are right-handed and in any unit. Those of meshes are at most 2^100; boxes may have any numbers but NaN
 //    (`class Scene`, Boxes).
 #ifndef OCCLUDE_H
@@ -397,6 +398,28 @@ typedef struct occlude_look_at_camera {
 OCCLUDE_API occlude_status occlude_look_at_matrix(const occlude_look_at_camera* camera, occlude_clip_depth depth,
                                                   occlude_nearer nearer, double* matrix) OCCLUDE_NO_THROW;
 
+/// How far an eye may leave its way, and a head may turn. The lengths are for somebody who walks, in metres.
+typedef struct occlude_ahead_options {
+  size_t size;          ///< of this struct
+  double aside;         ///< to both sides of the way, and before and after a way that is shorter
+  double up;            ///< to both sides across that
+  double turn_degrees;  ///< by how much the camera may turn, about any axis; perspective only
+} occlude_ahead_options;
+
+#define OCCLUDE_AHEAD_OPTIONS_INIT \
+  { sizeof(occlude_ahead_options), 0.1, 0.05, 0 }
+
+/// Writes to `ahead` a camera from the middle of the way that the eye takes in so many seconds, with all eyes near the way
+/// as its `eyes`. A frame of it holds (occlude_view_holds_for()) for a camera with the same picture that is anywhere there,
+/// turned by up to turn_degrees. It may be `camera` itself. Refused are a matrix of parallel rays, and numbers of which no
+/// camera can be made. More is said at ahead() in occlude/culler/camera.h.
+OCCLUDE_API occlude_status occlude_ahead(const occlude_matrix_camera* camera, const double velocity[3], double seconds,
+                                         const occlude_ahead_options* options,
+                                         occlude_look_at_camera* ahead) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_ahead_look_at(const occlude_look_at_camera* camera, const double velocity[3],
+                                                 double seconds, const occlude_ahead_options* options,
+                                                 occlude_look_at_camera* ahead) OCCLUDE_NO_THROW;
+
 // ---- Frames ----
 
 /// occlude_cull_options.margin for a picture of so many rows of pixels, drawn by a rasteriser with a grid of 1/256 pixel.
@@ -431,7 +454,9 @@ typedef struct occlude_cull_options {
   float least_size;
   /// Whether the objects to draw are listed from front to back.
   int32_t is_front_to_back;
-  int32_t reserved;  ///< 0
+  /// Whether only occluders hide that stand still, for a frame that later ones are held against. With a `least_size` those
+  /// that an object draws hide nothing either: seen from elsewhere it may be too small.
+  int32_t is_to_be_held;
 } occlude_cull_options;
 
 #define OCCLUDE_CULL_OPTIONS_INIT \
@@ -444,6 +469,39 @@ OCCLUDE_API occlude_status occlude_scene_cull(const occlude_scene* scene, const 
 OCCLUDE_API occlude_status occlude_scene_cull_look_at(const occlude_scene* scene, const occlude_look_at_camera* camera,
                                                       const occlude_cull_options* options,
                                                       occlude_view* view) OCCLUDE_NO_THROW;
+
+/// Writes to `holds` whether the last frame of the view does for this camera, too: it leaves out nothing that the camera
+/// shows from its eye and from all of its `eyes`. Never true by rounding, and not before the first frame. More is said at
+/// View::holds_for() in occlude/culler/culler.h.
+OCCLUDE_API occlude_status occlude_view_holds_for(const occlude_view* view, const occlude_matrix_camera* camera,
+                                                  int32_t* holds) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_view_holds_for_look_at(const occlude_view* view, const occlude_look_at_camera* camera,
+                                                          int32_t* holds) OCCLUDE_NO_THROW;
+
+/// Writes to `holds` whether frames of this camera can be held against the last frame of `held`:
+/// - that frame holds for the camera, and was culled with occlude_cull_options.is_to_be_held;
+/// - `options` have its mask and least_size;
+/// - no update since then has removed, moved, replaced, disabled or masked anew an occluder that stands still, or removed,
+///   disabled or masked anew an object that draws an occluder;
+/// - the scene reaches no farther from its eye than twice as far as then.
+OCCLUDE_API occlude_status occlude_scene_holds(const occlude_scene* scene, const occlude_view* held,
+                                               const occlude_matrix_camera* camera, const occlude_cull_options* options,
+                                               int32_t* holds) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_holds_look_at(const occlude_scene* scene, const occlude_view* held,
+                                                       const occlude_look_at_camera* camera,
+                                                       const occlude_cull_options* options, int32_t* holds) OCCLUDE_NO_THROW;
+
+/// The next frame of `view`, in which what hid in the last frame of `held` hides, and nothing is drawn into a coarse
+/// picture. Each object is asked where it is now, so that objects may come, go and move. Occluders that move hide nothing,
+/// and new ones not yet. Otherwise as occlude_scene_cull(); but occlude_scene_why() refuses such a frame, and
+/// occlude_view_visibility() knows of no occluder in it. Refused unless occlude_scene_holds(), and if `held` is `view`.
+/// Several threads may hold frames against one view at once.
+OCCLUDE_API occlude_status occlude_scene_cull_held(const occlude_scene* scene, const occlude_matrix_camera* camera,
+                                                   const occlude_cull_options* options, const occlude_view* held,
+                                                   occlude_view* view) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_cull_held_look_at(const occlude_scene* scene, const occlude_look_at_camera* camera,
+                                                           const occlude_cull_options* options, const occlude_view* held,
+                                                           occlude_view* view) OCCLUDE_NO_THROW;
 
 /// The half-space of the points x with normal . x + offset >= 0.
 typedef struct occlude_half_space {
@@ -539,6 +597,75 @@ typedef struct occlude_fate {
 /// there are objects; their arrays belong to the view, until its next frame or the next call of this function.
 OCCLUDE_API occlude_status occlude_scene_why(const occlude_scene* scene, occlude_view* view, const occlude_object* objects,
                                              size_t count, occlude_fate* fates) OCCLUDE_NO_THROW;
+
+// ---- Held culls: regions are culled now and then, and hold for the frames between ----
+
+/// A task, and what it is called with.
+typedef void (*occlude_task)(void* work);
+
+typedef struct occlude_held_options {
+  size_t size;  ///< of this struct
+  /// Of all culls; null: defaults. Its executor is for frames, on the thread that asks for them.
+  const occlude_cull_options* cull;
+  /// How far the eye may leave its way and the camera turn, at least; null: defaults, but 2 degrees.
+  const occlude_ahead_options* way;
+  /// Where regions are culled while frames are drawn: has task(work) called once, on any thread, now or later, and returns
+  /// at once. A task takes milliseconds and never throws. Where no thread is free, this may call it. One that is called
+  /// after the held cull was destroyed does nothing; one that is never called costs a little memory. Null: regions are
+  /// culled on the calling thread, when one is needed.
+  void (*later)(void* context, occlude_task task, void* work);
+  void* context;
+  /// Whether the same cameras, at the same times, always give the same results: the next frame waits for a region that is
+  /// being culled, and culls it itself if that has not begun.
+  int32_t is_repeatable;
+  int32_t reserved;  ///< 0
+} occlude_held_options;
+
+#define OCCLUDE_HELD_OPTIONS_INIT \
+  { sizeof(occlude_held_options), NULL, NULL, NULL, NULL, 0, 0 }
+
+/// Culls a scene for one camera that moves, as occlude_scene_cull() does, at a small part of its time: while one region
+/// holds, the next is culled for where the eye will be then. A frame for which none holds is culled for itself, as the first
+/// ones are, one after a jump, and where it would not pay. Nothing of this makes a frame wrong. Occluders that move hide in
+/// frames for themselves alone. More is said at HeldCull and HeldSceneCull in occlude/culler/held_cull.h.
+/// - The scene outlives it. occlude_scene_update() waits for a region that is being culled; it must still not run beside
+///   occlude_held_cull_next(). Options are read once; the executor's and `later`'s functions and contexts outlive it.
+typedef struct occlude_held_cull occlude_held_cull;
+
+OCCLUDE_API occlude_status occlude_held_cull_create(const occlude_scene* scene, const occlude_held_options* options,
+                                                    occlude_held_cull** held) OCCLUDE_NO_THROW;
+/// Waits for a task that is running. Null is nothing.
+OCCLUDE_API void occlude_held_cull_destroy(occlude_held_cull* held) OCCLUDE_NO_THROW;
+
+/// What to draw for the next frame, at this time: seconds by any clock, from which speeds are found. What is refused leaves
+/// the last frame as it was.
+OCCLUDE_API occlude_status occlude_held_cull_next(occlude_held_cull* held, const occlude_matrix_camera* camera,
+                                                  double seconds) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_held_cull_next_look_at(occlude_held_cull* held, const occlude_look_at_camera* camera,
+                                                          double seconds) OCCLUDE_NO_THROW;
+
+/// The last frame, and what was counted in it; empty, and zeros, before the first. Arrays are valid until the next frame.
+OCCLUDE_API occlude_status occlude_held_cull_frame(const occlude_held_cull* held, occlude_frame* frame) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_held_cull_statistics(const occlude_held_cull* held,
+                                                        occlude_statistics* statistics) OCCLUDE_NO_THROW;
+
+/// Whether the last frame was culled for itself alone: 1 or 0. 0 for null.
+OCCLUDE_API int32_t occlude_held_cull_is_of_point(const occlude_held_cull* held) OCCLUDE_NO_THROW;
+
+/// What became of the frames so far.
+typedef struct occlude_held_counts {
+  size_t size;      ///< of this struct
+  size_t frames;    ///< in all
+  size_t of_point;  ///< culled for their own eye alone
+  size_t regions;   ///< culled for regions, whether or not a frame used them
+  size_t late;      ///< regions that held no longer when they were there
+} occlude_held_counts;
+
+#define OCCLUDE_HELD_COUNTS_INIT \
+  { sizeof(occlude_held_counts), 0, 0, 0, 0 }
+
+OCCLUDE_API occlude_status occlude_held_cull_counts(const occlude_held_cull* held,
+                                                    occlude_held_counts* counts) OCCLUDE_NO_THROW;
 
 #ifdef __cplusplus
 }

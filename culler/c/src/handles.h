@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "frames.h"
 #include "occlude.h"
 #include "occlude/culler/camera.h"
 #include "occlude/culler/occluder_mesh.h"
@@ -21,10 +22,7 @@ struct occlude_scene {
 
 struct occlude_view {
   occlude::culler::SceneView view;
-  // The last frame, as arrays.
-  std::vector<occlude_object> objects;
-  std::vector<float> sizes, distances;
-  std::vector<occlude_half_space> planes;
+  occlude::c::KeptFrame frame;  ///< the last one
   // How it was asked for.
   std::variant<std::monostate, occlude::culler::Camera, occlude::culler::MatrixCamera> camera;
   occlude::culler::SceneOptions options;

@@ -34,11 +34,13 @@ template <class Struct>
   return defaults;
 }
 
-/// The same of options, which may be null.
+/// The same of options, which may be null. What is reserved, if anything, is 0.
 template <class Struct>
 [[nodiscard]] Struct read_options(const Struct* given, const Struct& defaults, const char* name) {
   const Struct options = given == nullptr ? defaults : read(given, defaults, name);
-  if (options.reserved != 0) throw std::invalid_argument(std::string(name) + ": reserved is not 0");
+  if constexpr (requires { options.reserved; }) {
+    if (options.reserved != 0) throw std::invalid_argument(std::string(name) + ": reserved is not 0");
+  }
   return options;
 }
 
