@@ -55,6 +55,8 @@ WIDER = {
     "int": {"ObjectId", "OccluderId"},
     "Camera": {"AnyCamera"},
     "MatrixCamera": {"AnyCamera"},
+    "ModelFrame": {"AnyFrame"},
+    "HeldFrame": {"AnyFrame"},
 }
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-from typing import Any, Literal, Sequence, Union
+from typing import Any, Callable, Literal, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +9,7 @@ from . import ObjectId, OccluderId
 __version__: str
 
 AnyCamera = Union[Camera, MatrixCamera]
+AnyFrame = Union[ModelFrame, HeldFrame]
 AnyPolygons = Union[ArrayLike, Sequence[ArrayLike]]
 
 class EyeRegion:
@@ -51,8 +52,19 @@ class MatrixCamera:
 
 def margin_for(rows: float, pixels: float = 0.0078125) -> float: ...
 
+def ahead(
+    camera: AnyCamera,
+    velocity: ArrayLike,
+    seconds: float,
+    *,
+    aside: float = 0.1,
+    up: float = 0.05,
+    turn_degrees: float = 0.0,
+) -> Camera: ...
+
 class View:
     def __init__(self) -> None: ...
+    def holds_for(self, camera: AnyCamera) -> bool: ...
     def visibility(self, boxes: ArrayLike) -> NDArray[np.uint8]: ...
 
 class OccluderMesh:
@@ -134,8 +146,11 @@ class Scene:
         mask: int = 0xFFFFFFFF,
         least_size: float = 0.0,
         front_to_back: bool = False,
+        to_be_held: bool = False,
+        held: Union[View, None] = None,
         threads: int = 1,
     ) -> SceneFrame: ...
+    def holds(self, held: View, camera: AnyCamera, *, mask: int = 0xFFFFFFFF, least_size: float = 0.0) -> bool: ...
     def why(self, ids: ArrayLike, view: View) -> list[Fate]: ...
     @property
     def objects(self) -> int: ...
@@ -187,13 +202,72 @@ class Culler:
     @property
     def order(self) -> NDArray[np.uint32]: ...
 
+class HeldFrame:
+    @property
+    def drawn(self) -> NDArray[np.void]: ...
+    @property
+    def polygons(self) -> NDArray[np.uint32]: ...
+    @property
+    def is_of_point(self) -> bool: ...
+
+class HeldCull:
+    def __init__(
+        self,
+        culler: Culler,
+        *,
+        aside: float = 0.1,
+        up: float = 0.05,
+        turn_degrees: float = 2.0,
+        later: Union[Callable[[Callable[[], None]], object], None] = None,
+        repeatable: bool = False,
+        method: Literal["frusta", "cover"] = "cover",
+        occluders: int = 8,
+        probes: int = 8,
+        near: Literal["surface", "farthest"] = "surface",
+        arithmetic: Literal["certified", "plain"] = "certified",
+        test: Literal["conservative", "overlap"] = "conservative",
+        margin: float = 0.0,
+        unions: bool = False,
+        cover_size: tuple[int, int] = (576, 360),
+        cover_triangles: Union[int, None] = None,
+        cover_ms: Union[float, None] = None,
+    ) -> None: ...
+    def cull(self, camera: AnyCamera, seconds: float) -> HeldFrame: ...
+    @property
+    def statistics(self) -> dict[str, int]: ...
+
+class HeldSceneCull:
+    def __init__(
+        self,
+        scene: Scene,
+        *,
+        aside: float = 0.1,
+        up: float = 0.05,
+        turn_degrees: float = 2.0,
+        later: Union[Callable[[Callable[[], None]], object], None] = None,
+        repeatable: bool = False,
+        cover_size: tuple[int, int] = (576, 360),
+        cover_triangles: Union[int, None] = None,
+        cover_ms: Union[float, None] = None,
+        margin: float = 0.0,
+        mask: int = 0xFFFFFFFF,
+        least_size: float = 0.0,
+        front_to_back: bool = False,
+        threads: int = 1,
+    ) -> None: ...
+    def cull(self, camera: AnyCamera, seconds: float) -> SceneFrame: ...
+    @property
+    def is_of_point(self) -> bool: ...
+    @property
+    def statistics(self) -> dict[str, int]: ...
+
 class DrawOrder:
     def __init__(self, culler: Culler, materials: ArrayLike) -> None: ...
     @property
     def polygons(self) -> NDArray[np.uint32]: ...
     @property
     def materials(self) -> NDArray[np.void]: ...
-    def ranges(self, frame: ModelFrame) -> NDArray[np.void]: ...
+    def ranges(self, frame: AnyFrame) -> NDArray[np.void]: ...
 
 class ShadowFrustum:
     def __init__(

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "model.h"
+
 #include <pybind11/stl.h>
 
 #include <cstdint>
@@ -15,10 +17,6 @@ namespace occlude::python {
 namespace {
 
 using culler::Culler;
-
-struct RangeRow {
-  std::uint32_t first, count;
-};
 
 struct CulledRow {
   std::uint32_t first, count, by, index;
@@ -46,10 +44,7 @@ FrameRows to_rows(const Culler& culler, const culler::CullResult& result) {
   FrameRows rows;
   rows.planes = result.view;
   rows.stats = result.stats;
-  for (const auto [first, count] : result.drawn) {
-    rows.drawn.push_back({first, count});
-    for (std::uint32_t p = first; p < first + count; ++p) rows.polygons.push_back(culler.hierarchy().original(p));
-  }
+  append_drawn(culler, result.drawn, rows.drawn, rows.polygons);
   for (const culler::Culled& culled : result.culled) {
     const culler::HierarchyNode& node = culler.hierarchy().nodes()[culled.node];
     rows.culled.push_back({node.first, node.count, static_cast<std::uint32_t>(culled.by), culled.index});
@@ -66,29 +61,13 @@ py::dict to_dict(const culler::CullStats& stats) {
                   "cover_triangles"_a = stats.cover_triangles);
 }
 
-culler::Method to_method(const std::string& name) {
-  return to_choice(name, "method", {std::pair{"frusta", culler::Method::frusta}, {"cover", culler::Method::cover}});
-}
-
 template <class Camera>
 ModelFrame cull_model(const Culler& culler, const Camera& camera, AnyView* view, const std::string& method,
                       std::size_t occluders, std::size_t probes, const std::string& near, const std::string& arithmetic,
                       const std::string& test, double margin, bool unions, const std::pair<int, int>& cover_size,
                       const py::object& cover_triangles, const py::object& cover_ms) {
-  const culler::CullOptions options{
-      .method = to_method(method),
-      .cover = to_cover_options(cover_size, cover_triangles, cover_ms),
-      .occluders = occluders,
-      .probes = probes,
-      .shadow_near =
-          to_choice(near, "near", {std::pair{"surface", kernel::Near::surface}, {"farthest", kernel::Near::farthest}}),
-      .arithmetic = to_choice(arithmetic, "arithmetic",
-                              {std::pair{"certified", kernel::Arithmetic::certified}, {"plain", kernel::Arithmetic::plain}}),
-      .test = to_choice(test, "test",
-                        {std::pair{"conservative", kernel::Test::conservative}, {"overlap", kernel::Test::overlap}}),
-      .margin = margin,
-      .unions = unions};
-  if (!(margin >= 0)) throw std::invalid_argument("margin is below 0 or not a number");
+  const culler::CullOptions options = to_cull_options(method, occluders, probes, near, arithmetic, test, margin, unions,
+                                                      cover_size, cover_triangles, cover_ms);
   FrameRows rows;
   {
     const py::gil_scoped_release others_run;
@@ -122,10 +101,10 @@ culler::DrawOrder make_draw_order(const Culler& culler, const py::object& materi
   return culler::DrawOrder(culler.hierarchy(), narrow);
 }
 
-py::object ranges_of(const culler::DrawOrder& order, const ModelFrame& frame) {
+py::object ranges_of(const culler::DrawOrder& order, const py::array_t<RangeRow>& rows) {
   std::vector<culler::PolygonRange> drawn;
-  for (py::ssize_t i = 0; i < frame.drawn.size(); ++i) {
-    const auto [first, count] = frame.drawn.at(i);
+  for (py::ssize_t i = 0; i < rows.size(); ++i) {
+    const auto [first, count] = rows.at(i);
     if (std::uint64_t{first} + count > order.polygons().size()) {
       throw std::invalid_argument("the frame is of another model");
     }
@@ -155,8 +134,12 @@ void define_draw_orders(py::module_& module) {
             return to_array(std::vector<MaterialRange>(order.materials().begin(), order.materials().end()));
           },
           "Rows (material, first, count): the range of each material that there is.")
-      .def("ranges", &ranges_of, "frame"_a,
-           "Rows (material, first, count): ranges of `polygons` that draw what the frame draws.")
+      .def(
+          "ranges", [](const DrawOrder& order, const ModelFrame& frame) { return ranges_of(order, frame.drawn); }, "frame"_a,
+          "Rows (material, first, count): ranges of `polygons` that draw what the frame draws.")
+      .def(
+          "ranges", [](const DrawOrder& order, const HeldFrame& frame) { return ranges_of(order, frame.drawn); }, "frame"_a,
+          "The same for a frame of a HeldCull.")
       .def("__repr__", [](const DrawOrder& order) {
         return described("DrawOrder", count_of(order.polygons().size(), "polygon") + " of " +
                                           count_of(order.materials().size(), "material"));
@@ -176,6 +159,38 @@ void define_cull(py::class_<Culler>& culler) {
 
 }  // namespace
 
+void append_drawn(const Culler& culler, const std::vector<culler::PolygonRange>& ranges, std::vector<RangeRow>& drawn,
+                  std::vector<std::uint32_t>& polygons) {
+  for (const auto [first, count] : ranges) {
+    drawn.push_back({first, count});
+    for (std::uint32_t p = first; p < first + count; ++p) polygons.push_back(culler.hierarchy().original(p));
+  }
+}
+
+culler::Method to_method(const std::string& name) {
+  return to_choice(name, "method", {std::pair{"frusta", culler::Method::frusta}, {"cover", culler::Method::cover}});
+}
+
+culler::CullOptions to_cull_options(const std::string& method, std::size_t occluders, std::size_t probes,
+                                    const std::string& near, const std::string& arithmetic, const std::string& test,
+                                    double margin, bool unions, const std::pair<int, int>& cover_size,
+                                    const py::object& cover_triangles, const py::object& cover_ms) {
+  if (!(margin >= 0)) throw std::invalid_argument("margin is below 0 or not a number");
+  return {
+      .method = to_method(method),
+      .cover = to_cover_options(cover_size, cover_triangles, cover_ms),
+      .occluders = occluders,
+      .probes = probes,
+      .shadow_near =
+          to_choice(near, "near", {std::pair{"surface", kernel::Near::surface}, {"farthest", kernel::Near::farthest}}),
+      .arithmetic = to_choice(arithmetic, "arithmetic",
+                              {std::pair{"certified", kernel::Arithmetic::certified}, {"plain", kernel::Arithmetic::plain}}),
+      .test = to_choice(test, "test",
+                        {std::pair{"conservative", kernel::Test::conservative}, {"overlap", kernel::Test::overlap}}),
+      .margin = margin,
+      .unions = unions};
+}
+
 void define_models(py::module_& module) {
   using py::literals::operator""_a;
   PYBIND11_NUMPY_DTYPE(RangeRow, first, count);
@@ -188,6 +203,13 @@ void define_models(py::module_& module) {
       .def_readonly("statistics", &ModelFrame::statistics, "What was counted, by names.")
       .def("__repr__", [](const ModelFrame& frame) {
         return described("ModelFrame", count_of(static_cast<std::size_t>(frame.polygons.size()), "polygon") + " drawn");
+      });
+  py::class_<HeldFrame>(module, "HeldFrame", "The polygons to draw in one frame of a HeldCull.")
+      .def_readonly("drawn", &HeldFrame::drawn, "Rows (first, count): ranges of Culler.order.")
+      .def_readonly("polygons", &HeldFrame::polygons, "The polygons to draw, as they were numbered when given.")
+      .def_readonly("is_of_point", &HeldFrame::is_of_point, "Whether it was culled for itself alone.")
+      .def("__repr__", [](const HeldFrame& frame) {
+        return described("HeldFrame", count_of(static_cast<std::size_t>(frame.polygons.size()), "polygon") + " drawn");
       });
   py::class_<Culler> culler(module, "Culler", "A model that stands still. prepare() makes what frames by a method need.");
   culler

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_occlude, module) {
   define_views(module);
   define_scenes(module);
   define_models(module);
+  define_held_culls(module);
   define_faces(module);
   define_kernel(module);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/scene.h"
+#include "scene.h"
 
 #include <pybind11/stl.h>
 
@@ -21,53 +21,6 @@ namespace {
 using culler::ObjectId;
 using culler::OccluderId;
 using culler::OccluderMesh;
-
-/// A scene that several Python threads may use at once, in any way.
-class SharedScene {
- public:
-  /// Runs work that may run beside changes: all that takes a const scene.
-  template <class Work>
-  auto look(Work&& work) const {
-    const py::gil_scoped_release others_run;
-    const std::shared_lock lock(updates_);
-    return work(scene_);
-  }
-  /// Runs a change, one at a time.
-  template <class Work>
-  auto change(Work&& work) {
-    const py::gil_scoped_release others_run;
-    const std::shared_lock lock(updates_);
-    const std::scoped_lock one(changes_);
-    return work(scene_);
-  }
-  void update(const culler::Executor& executor) {
-    const py::gil_scoped_release others_run;
-    const std::unique_lock lock(updates_);
-    scene_.update(executor);
-  }
-
- private:
-  culler::Scene scene_;
-  mutable std::shared_mutex updates_;
-  std::mutex changes_;
-};
-
-struct DrawnRow {
-  std::uint64_t id;
-  float size, distance;
-};
-
-/// A frame that Python keeps.
-struct SceneFrame {
-  py::array_t<DrawnRow> drawn;
-  py::array_t<double> planes;
-  py::dict statistics;
-};
-
-culler::Executor on_threads(std::size_t threads) {
-  if (threads == 0 || threads > culler::Executor::kMostThreads) throw std::invalid_argument("threads must be 1 to 65536");
-  return culler::Executor::own_threads(threads);
-}
 
 constexpr std::uint64_t kMostId = std::numeric_limits<std::uint64_t>::max();
 
@@ -177,35 +130,49 @@ py::dict to_dict(const culler::SceneStats& stats) {
                   "cover_groups_left"_a = stats.work.cover_groups_left, "cover_triangles"_a = stats.work.cover_triangles);
 }
 
+/// A view against which a frame of a scene is held.
+const culler::SceneView& scene_view_of(const AnyView& held) {
+  if (!held.is_of_scene) throw std::invalid_argument("the held frame is of a model");
+  return held.scene;
+}
+
 template <class Camera>
 SceneFrame cull_scene(const SharedScene& scene, const Camera& camera, AnyView* given, const std::pair<int, int>& cover_size,
                       const py::object& cover_triangles, const py::object& cover_ms, double margin, std::uint32_t mask,
-                      float least_size, bool front_to_back, std::size_t threads) {
+                      float least_size, bool front_to_back, bool to_be_held, const AnyView* held, std::size_t threads) {
   const culler::Executor executor = on_threads(threads);
-  culler::SceneOptions options{.cover = to_cover_options(cover_size, cover_triangles, cover_ms),
-                               .margin = margin,
-                               .mask = mask,
-                               .least_size = least_size,
-                               .is_front_to_back = front_to_back,
-                               .executor = &executor};
+  culler::SceneOptions options =
+      to_scene_options(cover_size, cover_triangles, cover_ms, margin, mask, least_size, front_to_back);
+  options.is_to_be_held = to_be_held;
+  options.executor = &executor;
   AnyView own;
   AnyView& view = given == nullptr ? own : *given;
-  std::vector<DrawnRow> rows;
-  std::vector<culler::HalfSpace> planes;
-  culler::SceneStats stats;
-  scene.look([&](const culler::Scene& s) {
-    const std::scoped_lock lock(view.mutex);
-    const culler::SceneResult& result = s.cull(camera, options, view.scene);
+  if (held == &view) throw std::invalid_argument("a frame cannot be held against its own view");
+  SceneRows rows = scene.look([&](const culler::Scene& s) {
+    std::unique_lock lock(view.mutex, std::defer_lock);
+    if (held == nullptr) {
+      lock.lock();
+      s.cull(camera, options, view.scene);
+    } else {
+      std::shared_lock beside(held->mutex, std::defer_lock);
+      std::lock(lock, beside);
+      s.cull(camera, options, scene_view_of(*held), view.scene);
+    }
     view.is_of_scene = true;
     view.camera = camera;
     options.executor = nullptr;  // it is of this frame alone
     view.options = options;
-    rows.reserve(result.drawn.size());
-    for (const auto& [id, size, distance] : result.drawn) rows.push_back({id.number(), size, distance});
-    planes = result.view;
-    stats = result.stats;
+    return SceneRows(view.scene.result());
   });
-  return {to_array(std::move(rows)), to_array(planes), to_dict(stats)};
+  return to_frame(std::move(rows));
+}
+
+template <class Camera>
+bool holds(const SharedScene& scene, const AnyView& held, const Camera& camera, std::uint32_t mask, float least_size) {
+  return scene.look([&](const culler::Scene& s) {
+    const std::shared_lock lock(held.mutex);
+    return held.is_of_scene && s.holds(held.scene, camera, {.mask = mask, .least_size = least_size});
+  });
 }
 
 void define_meshes(py::module_& module) {
@@ -408,11 +375,38 @@ void define_cull(Class& scene) {
   scene.def("cull", &cull_scene<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(),
             "cover_size"_a = std::pair{culler::CoverOptions{}.width, culler::CoverOptions{}.height},
             "cover_triangles"_a = py::none(), "cover_ms"_a = py::none(), "margin"_a = 0.0, "mask"_a = kAllLayers,
-            "least_size"_a = 0.0F, "front_to_back"_a = false, "threads"_a = 1,
-            "What to draw: a SceneFrame. It does not depend on the number of threads, which are started for this call.");
+            "least_size"_a = 0.0F, "front_to_back"_a = false, "to_be_held"_a = false, "held"_a = py::none(), "threads"_a = 1,
+            "What to draw: a SceneFrame. It does not depend on the number of threads, which are started for this call. With "
+            "`held`, a view, what hid in its last frame hides, and each object is asked where it is now. That frame was "
+            "to_be_held, in which occluders that move hide nothing, and holds().");
+  scene.def("holds", &holds<Camera>, "held"_a, "camera"_a, py::kw_only(), "mask"_a = kAllLayers, "least_size"_a = 0.0F,
+            "Whether frames of this camera, with these options, can be held against the last frame of the view `held`: it "
+            "holds for the camera, and no update has since removed or changed an occluder that stands still.");
 }
 
 }  // namespace
+
+culler::Executor on_threads(std::size_t threads) {
+  if (threads == 0 || threads > culler::Executor::kMostThreads) throw std::invalid_argument("threads must be 1 to 65536");
+  return culler::Executor::own_threads(threads);
+}
+
+culler::SceneOptions to_scene_options(const std::pair<int, int>& cover_size, const py::object& cover_triangles,
+                                      const py::object& cover_ms, double margin, std::uint32_t mask, float least_size,
+                                      bool front_to_back) {
+  return {.cover = to_cover_options(cover_size, cover_triangles, cover_ms),
+          .margin = margin,
+          .mask = mask,
+          .least_size = least_size,
+          .is_front_to_back = front_to_back};
+}
+
+SceneRows::SceneRows(const culler::SceneResult& result) : planes(result.view), stats(result.stats) {
+  drawn.reserve(result.drawn.size());
+  for (const auto& [id, size, distance] : result.drawn) drawn.push_back({id.number(), size, distance});
+}
+
+SceneFrame to_frame(SceneRows rows) { return {to_array(std::move(rows.drawn)), to_array(rows.planes), to_dict(rows.stats)}; }
 
 void define_scenes(py::module_& module) {
   using py::literals::operator""_a;

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <shared_mutex>
 #include <stdexcept>
 #include <string>
 
@@ -109,9 +110,9 @@ py::object to_text(const culler::MatrixCamera& c) {
   return py::str("occlude.MatrixCamera({}, depth={!r}, nearer={!r}, eyes={})").format(rows, depth, nearer, to_text(c.eyes));
 }
 
-std::string to_text(AnyView& view) {
+std::string to_text(const AnyView& view) {
   const py::gil_scoped_release others_run;
-  const std::scoped_lock lock(view.mutex);
+  const std::shared_lock lock(view.mutex);
   if (!view.is_of_scene) {
     return described("View", "of a model, " + count_of(view.model.result().stats.drawn_polygons, "polygon") + " drawn");
   }
@@ -119,9 +120,9 @@ std::string to_text(AnyView& view) {
   return described("View", "of a scene, " + count_of(view.scene.result().drawn.size(), "object") + " drawn");
 }
 
-std::vector<std::uint8_t> visibilities(AnyView& view, const std::vector<culler::Box>& boxes) {
+std::vector<std::uint8_t> visibilities(const AnyView& view, const std::vector<culler::Box>& boxes) {
   const py::gil_scoped_release others_run;
-  const std::scoped_lock lock(view.mutex);
+  const std::shared_lock lock(view.mutex);
   std::vector<std::uint8_t> result;
   result.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -133,6 +134,34 @@ std::vector<std::uint8_t> visibilities(AnyView& view, const std::vector<culler::
     }
   }
   return result;
+}
+
+/// What depends on the kind of camera.
+template <class Camera>
+void define_for(py::module_& module, py::class_<AnyView>& view) {
+  using py::literals::operator""_a;
+  view.def(
+      "holds_for",
+      [](const AnyView& v, const Camera& camera) {
+        const py::gil_scoped_release others_run;
+        const std::shared_lock lock(v.mutex);
+        return v.is_of_scene ? v.scene.holds_for(camera) : v.model.holds_for(camera);
+      },
+      "camera"_a,
+      "Whether the last frame does for this camera, too: it leaves out nothing that the camera shows from its eye and from "
+      "all of its `eyes`. Never true by rounding, and not before the first frame.");
+  const culler::AheadOptions defaults;
+  module.def(
+      "ahead",
+      [](const Camera& camera, const Doubles& velocity, double seconds, double aside, double up, double turn_degrees) {
+        const auto [x, y, z] = to_vec3(velocity, "velocity");
+        return ahead(camera, {x, y, z}, seconds, to_way(aside, up, turn_degrees));
+      },
+      "camera"_a, "velocity"_a, "seconds"_a, py::kw_only(), "aside"_a = defaults.aside, "up"_a = defaults.up,
+      "turn_degrees"_a = defaults.turn_degrees,
+      "A Camera from the middle of the way that the eye takes in so many seconds, with all eyes near the way: up to `aside` "
+      "beside it and `up` above and below. A frame of it holds (View.holds_for) for a camera with the same picture that is "
+      "anywhere there, turned by up to turn_degrees.");
 }
 
 }  // namespace
@@ -210,13 +239,15 @@ void define_matrix_cameras(py::module_& module) {
 
 void define_views(py::module_& module) {
   using py::literals::operator""_a;
-  py::class_<AnyView>(module, "View", "One camera from frame to frame, of any scene or model.")
-      .def(py::init<>())
-      .def("__repr__", [](AnyView& view) { return to_text(view); })
+  py::class_<AnyView> view(module, "View", "One camera from frame to frame, of any scene or model.");
+  view.def(py::init<>())
+      .def("__repr__", [](const AnyView& v) { return to_text(v); })
       .def(
-          "visibility", [](AnyView& view, const Doubles& boxes) { return to_array(visibilities(view, to_boxes(boxes))); },
+          "visibility", [](const AnyView& v, const Doubles& boxes) { return to_array(visibilities(v, to_boxes(boxes))); },
           "boxes"_a,
           "Whether boxes would be visible in the last frame: an array of Visibility. Before the first frame all are.");
+  define_for<Camera>(module, view);
+  define_for<culler::MatrixCamera>(module, view);
 }
 
 }  // namespace occlude::python

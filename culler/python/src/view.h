@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <mutex>
+#include <shared_mutex>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,10 +15,10 @@
 
 namespace occlude::python {
 
-/// Python code may not crash the program, whatever its threads do. So a view is locked while it is used. The lock is taken
-/// without the interpreter's, so that nothing waits for both.
+/// Python code may not crash the program, whatever its threads do. So a view is locked while it is used: by one thread that
+/// culls with it, or by several that ask it. The lock is taken without the interpreter's, so that nothing waits for both.
 struct AnyView {
-  std::mutex mutex;
+  mutable std::shared_mutex mutex;
   culler::SceneView scene;
   culler::View model;
   bool is_of_scene = true;  ///< which of the two has the last frame
@@ -34,6 +34,11 @@ struct AnyView {
 [[nodiscard]] culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& triangles,
                                                     const py::object& ms);
 
+/// How far the eye may leave its way, and the camera turn.
+[[nodiscard]] inline culler::AheadOptions to_way(double aside, double up, double turn_degrees) {
+  return {.aside = aside, .up = up, .turn_degrees = turn_degrees};
+}
+
 /// "3 objects".
 [[nodiscard]] inline std::string count_of(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -48,6 +53,7 @@ void define_matrix_cameras(py::module_& module);
 void define_views(py::module_& module);
 void define_scenes(py::module_& module);
 void define_models(py::module_& module);
+void define_held_culls(py::module_& module);
 void define_faces(py::module_& module);
 void define_kernel(py::module_& module);
 
