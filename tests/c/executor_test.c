@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads of the caller: the same results as on one thread.
+// Threads of the caller: the same results as on one thread. Tasks on threads of the caller.
 #include <pthread.h>
 #include <stdlib.h>
 
@@ -123,6 +123,66 @@ static void meshes(void) {
   occlude_mesh_destroy(mesh);
 }
 
+/// A thread for each task.
+enum { kMostTasks = 200 };
+typedef struct started {
+  pthread_t threads[kMostTasks];
+  size_t count;
+} started;
+
+typedef struct job {
+  occlude_task task;
+  void* work;
+} job;
+
+static void* do_job(void* given) {
+  const job of = *(job*)given;
+  free(given);
+  of.task(of.work);
+  return NULL;
+}
+
+static void on_a_thread(void* context, occlude_task task, void* work) {
+  started* all = context;
+  job* of = malloc(sizeof *of);
+  if (of == NULL || all->count == kMostTasks) abort();
+  of->task = task;
+  of->work = work;
+  if (pthread_create(&all->threads[all->count++], NULL, do_job, of) != 0) abort();
+}
+
+/// Regions are culled beside frames, whose objects the executor tests, and beside updates. Those of a held cull that is gone
+/// do nothing any more.
+static void regions(void) {
+  started all = {.count = 0};
+  size_t runs = 0;
+  const occlude_executor executor = {sizeof executor, kThreads, on_threads, &runs};
+  cull_many(NULL);
+  occlude_object bus = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_object(scene, &kBefore, NULL, &bus));
+  occlude_cull_options of_culls = OCCLUDE_CULL_OPTIONS_INIT;
+  of_culls.executor = &executor;
+  occlude_held_options options = OCCLUDE_HELD_OPTIONS_INIT;
+  options.cull = &of_culls;
+  options.later = on_a_thread;
+  options.context = &all;
+  occlude_held_cull* held = NULL;
+  CHECK_OK(occlude_held_cull_create(scene, &options, &held));
+  for (int i = 0; i < 60; ++i) {
+    CHECK_OK(occlude_scene_move_object(scene, bus, i % 2 ? &kBefore : &kBeside));
+    CHECK_OK(occlude_scene_update(scene));
+    occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+    camera.eye[0] = 0.02 * i;
+    camera.target[0] = camera.eye[0] + 1;
+    CHECK_OK(occlude_held_cull_next_look_at(held, &camera, i / 60.0));
+  }
+  occlude_held_counts counts = OCCLUDE_HELD_COUNTS_INIT;
+  CHECK_OK(occlude_held_cull_counts(held, &counts));
+  CHECK(counts.frames == 60 && counts.regions == all.count && all.count > 0 && runs >= 60);
+  occlude_held_cull_destroy(held);
+  for (size_t i = 0; i < all.count; ++i) pthread_join(all.threads[i], NULL);
+}
+
 /// Checks that all that takes an executor refuses this one.
 static void check_refused(const occlude_executor* executor, const char* text) {
   const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
@@ -136,6 +196,11 @@ static void check_refused(const occlude_executor* executor, const char* text) {
   occlude_mesh* mesh = NULL;
   CHECK_REFUSED(refused, text, occlude_mesh_create(&data, &mesh));
   CHECK(mesh == NULL);
+  occlude_held_options held_options = OCCLUDE_HELD_OPTIONS_INIT;
+  held_options.cull = &options;
+  occlude_held_cull* held = NULL;
+  CHECK_REFUSED(refused, text, occlude_held_cull_create(scene, &held_options, &held));
+  CHECK(held == NULL);
 }
 
 static void refusals(void) {
@@ -160,6 +225,7 @@ static void refusals(void) {
 int main(void) {
   run_test(results_are_the_same);
   run_test(meshes);
+  run_test(regions);
   run_test(refusals);
   return end_of_test();
 }

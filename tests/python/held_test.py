@@ -167,9 +167,6 @@ class HeldScenes(unittest.TestCase):
         ):
             with self.assertRaisesRegex(ValueError, text):
                 call()
-        scene.remove_occluders([wall])
-        scene.update()
-        self.assertFalse(scene.holds(region, camera_at(1)))
         # Of a view whose last frame is that of a model.
         model = occlude.Culler(SQUARE, [[0, 1, 2, 3]])
         model.cull(way, region, method="cover")
@@ -177,6 +174,11 @@ class HeldScenes(unittest.TestCase):
         self.assertFalse(scene.holds(region, camera_at(1)))
         with self.assertRaisesRegex(ValueError, "the held frame is of a model"):
             scene.cull(camera_at(1), held=region)
+        scene.cull(way, region, to_be_held=True)
+        self.assertTrue(scene.holds(region, camera_at(1)))
+        scene.remove_occluders([wall])
+        scene.update()
+        self.assertFalse(scene.holds(region, camera_at(1)))
 
 
 class Regions(unittest.TestCase):
