@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -171,6 +172,31 @@ TEST(HeldCull, ItsThreadsTouchNothingThatIsGone) {
   for (std::thread& thread : threads) thread.join();
   ASSERT_EQ(left.size(), 1U);
   left[0]();  // does nothing
+}
+
+/// An executor may be able to do one thing at a time alone, and frames go on while regions are culled.
+TEST(HeldCull, ItsExecutorDoesFramesAlone) {
+  std::atomic<unsigned> by_caller = 0, by_others = 0;
+  const auto run = [&, caller = std::this_thread::get_id()](std::size_t count, const Executor::Part& part) {
+    ++(std::this_thread::get_id() == caller ? by_caller : by_others);
+    for (std::size_t i = 0; i < count; ++i) part(i);
+  };
+  const Executor executor(2, run);
+  std::vector<std::thread> threads;
+  HeldStats stats;
+  {
+    HeldCull held(town(), {.later = [&](std::function<void()> task) { threads.emplace_back(std::move(task)); }},
+                  {.method = Method::frusta, .executor = &executor});
+    for (int frame = 0; frame < 20; ++frame) {
+      static_cast<void>(held.cull(Camera{.eye = {2.0 * frame, 0, 2}, .target = {100, 0, 2}}, frame));
+      for (std::thread& thread : threads) thread.join();
+      threads.clear();
+    }
+    stats = held.stats();
+  }
+  EXPECT_GT(stats.regions, 0U);
+  EXPECT_GT(by_caller, 0U);
+  EXPECT_EQ(by_others, 0U);
 }
 
 TEST(HeldCull, WhatIsThrown) {
