@@ -2,6 +2,8 @@
 """Culls that hold for the frames between them: nothing that is seen is left out, whoever culls the regions, and when."""
 import concurrent.futures
 import gc
+import subprocess
+import sys
 import threading
 import unittest
 import weakref
@@ -85,15 +87,17 @@ class HeldScenes(unittest.TestCase):
                     town.change()
                     frame = held.cull(town.camera(i / 60), i / 60)
                     drawn = set(frame.drawn["id"].tolist())
+                    self.assertEqual(frame.statistics["cover_triangles"] == 0, not held.is_of_point)
+                    if i % 3 != 0:
+                        continue
                     points = np.concatenate([brute.points_of(box, rng, 4) for id, box in town.boxes.items() if id not in drawn])
                     points = points[brute.is_in_view(frame.planes, points)]
                     self.assertTrue(np.all(brute.is_hidden(town.eye(i / 60), points, town.triangles)))
                     hidden += len(points)
-                    self.assertEqual(frame.statistics["cover_triangles"] == 0, not held.is_of_point)
                 statistics = held.statistics
                 self.assertEqual(statistics["frames"], 90)
                 self.assertGreater(statistics["regions"], 0)
-                self.assertGreater(hidden, 9000)
+                self.assertGreater(hidden, 3000)
                 if repeatable:  # else it depends on the clock
                     self.assertLess(statistics["of_point"], 45)
 
@@ -265,6 +269,23 @@ class Regions(unittest.TestCase):
         list(walk(held))
         del held
         self.assertIsNone(known())
+
+    def test_programs_may_end_while_a_region_is_culled(self):
+        program = """
+import concurrent.futures
+import numpy as np
+import occlude
+scene, pool = occlude.Scene(), concurrent.futures.ThreadPoolExecutor(1)
+low = np.random.default_rng(1).uniform([0, -50, -50], [100, 50, 50], (20000, 3))
+scene.add_objects(np.hstack([low, low + 1]))
+scene.update()
+for_ever = [occlude.HeldSceneCull(scene, later=later) for later in (None, pool.submit)]
+for_ever.append(for_ever)  # a cycle: nothing destroys it
+held = occlude.HeldSceneCull(scene)
+for cull in (held, *for_ever[:2]):
+    cull.cull(occlude.Camera([0, 0, 0], [1, 0, 0]), 0)
+"""
+        self.assertEqual(subprocess.run([sys.executable, "-c", program]).returncode, 0)
 
     def test_threads(self):
         town = Town(brute.random())
