@@ -104,6 +104,19 @@ double ConservativeViewport::moved_error(const MovingPosition& position) const {
   return kBoundRounded * moved + kPlaceError * (forward / from_eyes) * (aside + scale + of_eyes + width_ + height_);
 }
 
+/// What passes the plane of the first focus at a place is moved as a point there. The moves round by up to 2^-46 of their
+/// terms; the slope, the difference of the two and their product add a few 2^-53.
+EyeMoves::Range ConservativeViewport::ray_moves(const PixelPosition& direction, const PixelPosition& place, double from,
+                                                double to) const {
+  const PixelPosition at = slope(place.x, place.y);
+  const EyeMoves::Range moves =
+      eye_moves_.along(direction.x * scale_.x, direction.y * scale_.y, at.x, at.y, from).times(to - from);
+  const double aside = std::max(std::fabs(at.x), std::fabs(at.y));
+  const double terms = std::max(scale_.x, scale_.y) * (eyes_aside_ + aside * eyes_forward_) / (1 - from * eyes_forward_);
+  const double rounding = 0x1p-40 * std::fabs(to - from) * terms;
+  return {moves.low - rounding, moves.high + rounding};
+}
+
 MovingPosition ConservativeViewport::moving(const EyePoint& seen) const {
   MovingPosition position{corner(seen), 1 / seen.forward, {}, {}};
   position.x = moves({1, 0}, position.still);

@@ -150,6 +150,15 @@ class ConservativeViewport {
   [[nodiscard]] SweptEdge swept(const MovingEdge& edge, const BoundedPosition& from, const BoundedPosition& to,
                                 double focus) const;
 
+  /// By how many pixels a ray from any of the eyes is farther right, or up, in the picture with the focus `to` than in that
+  /// with the focus `from`, where it has the position x, or y.
+  [[nodiscard]] EyeMoves::Range ray_moves_across(double x, double from, double to) const {
+    return ray_moves({1, 0}, {x, middle_.y}, from, to);
+  }
+  [[nodiscard]] EyeMoves::Range ray_moves_up(double y, double from, double to) const {
+    return ray_moves({0, 1}, {middle_.x, y}, from, to);
+  }
+
   /// Bounds the error of every position of an edge that may be in the picture, wherever the edge exactly is. At most the
   /// larger error of its ends. It is less where the edge leaves the picture towards an end that is near the eye.
   [[nodiscard]] double edge_error(const BoundedPosition& a, const BoundedPosition& b) const {
@@ -190,6 +199,8 @@ class ConservativeViewport {
 
   [[nodiscard]] double error_in_picture(const BoundedPosition& a, const BoundedPosition& b) const;
   [[nodiscard]] EyeMoves::Range moves(const PixelPosition& direction, const BoundedPosition& position) const;
+  [[nodiscard]] EyeMoves::Range ray_moves(const PixelPosition& direction, const PixelPosition& place, double from,
+                                          double to) const;
   [[nodiscard]] double moved_error(const MovingPosition& position) const;
 
   glm::dvec3 eye_{}, right_{}, up_{}, forward_{};

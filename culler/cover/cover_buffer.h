@@ -17,6 +17,7 @@
 
 #include "cover/conservative_viewport.h"
 #include "cover/cover_mesh.h"
+#include "cover/layer_erosion.h"
 #include "cover/projected_boxes.h"
 #include "cover/sheet_rasteriser.h"
 #include "occlude/kernel/types.h"
@@ -45,8 +46,13 @@ class CoverBuffer {
   /// From now on, keeps for each pixel the mesh that last brought it nearer.
   void keep_owners();
 
-  /// Closes the pixels that the mesh closes as far as it is beyond the near plane. `id` identifies it in owners().
+  /// Closes the pixels that the mesh closes as far as it is beyond the near plane. `id` identifies it in owners(). Layers
+  /// that are much farther than the mesh are left to join_layers().
   void add(const CoverMesh& mesh, std::uint32_t id = 0);
+
+  /// In a picture of several eyes, closes pixels through which only closed pixels of a nearer layer are seen, of what was
+  /// added so far.
+  void join_layers();
 
   /// Where a box is in the picture.
   struct Footprint {
@@ -104,10 +110,14 @@ class CoverBuffer {
     std::uint32_t id;  ///< of the mesh
     std::vector<std::uint32_t> triangles;
   };
-  /// Pixels of a layer that are closed by one sheet.
+  /// Pixels of a layer that are closed by one sheet, or through the next nearer layer.
   struct Window {
+    static constexpr std::uint32_t kNearerLayer = kNone - 1;
+
     PixelRectangle pixels;
-    std::uint32_t sheet;
+    std::uint32_t sheet;  ///< or kNearerLayer
+
+    [[nodiscard]] bool is_of_nearer_layer() const { return sheet == kNearerLayer; }
   };
   struct Windows {
     double focus;  ///< of the layer
@@ -120,6 +130,9 @@ class CoverBuffer {
   /// Windows that have all pixels of a footprint in which a box is hidden. REQUIRES: keep_owners() was called before what
   /// hides it was added; the picture is of several eyes.
   [[nodiscard]] Windows windows(const Footprint& at) const;
+  /// The pixels of the next nearer layer through which a window of the footprint is closed. REQUIRES: it
+  /// is_of_nearer_layer().
+  [[nodiscard]] Footprint through(const Footprint& at, const Window& window) const;
   [[nodiscard]] const DrawnSheet& sheet(std::uint32_t i) const { return sheets_[i]; }
 
   [[nodiscard]] const ConservativeViewport& picture() const { return picture_; }
@@ -137,12 +150,17 @@ class CoverBuffer {
   }
   template <class NearnessFrom>
   [[nodiscard]] std::optional<PixelRectangle> tiles_nearer(const PixelRectangle& r, const NearnessFrom& nearness_from) const;
+  [[nodiscard]] std::size_t first_layer_of_mesh() const;
   void add_layer(std::uint32_t id);
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
+  void note_nearest(std::size_t first, std::size_t count);
+  void join_layer(std::size_t layer);
   void own(std::size_t first, std::size_t count, std::uint32_t id);
   [[nodiscard]] TilePicture tile_picture() const {
     return {nearness_.data(), farthest_.data(), tiles_across_, picture_.height() / kTile};
   }
+
+  class WindowFinder;
 
   [[nodiscard]] ProjectedBoxes seen(const kernel::Aabb& box) const;
   [[nodiscard]] std::uint32_t owner(int first_tile, int x, int y) const;
@@ -154,11 +172,13 @@ class CoverBuffer {
   PixelPosition share_of_pixel_;  ///< the width and the height of a pixel, as shares of the height of the camera's picture
   BoxPicture boxes_;              ///< with the margin
   SheetRasteriser rasteriser_;
+  LayerErosion erosion_;
   int tiles_across_ = 0;
   std::size_t first_tile_ = 0;
   std::size_t work_ = 0;
   std::vector<float> nearness_;        ///< of each pixel, layer after layer, tile after tile; -infinity while it is open
   std::vector<float> farthest_;        ///< of each tile, the least nearness of its pixels
+  std::vector<float> nearest_;         ///< the same, the most; empty in a picture of one eye
   std::vector<std::uint32_t> owners_;  ///< ids, or numbers of sheets, in the order of nearness_; empty unless they are kept
   std::vector<DrawnSheet> sheets_;     ///< of several eyes, as owners_
 };

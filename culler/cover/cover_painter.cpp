@@ -16,11 +16,16 @@ int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSid
 /// allocates more.
 constexpr std::size_t kRoom = 1024;
 
+/// Of several eyes: once so many triangles are drawn, layers take over what nearer ones have closed, and again whenever the
+/// number has doubled. What is behind it is then not drawn. Sponza draws a fifth fewer triangles, and Utrecht, of the eyes
+/// of eight metres ahead, half as many. Frames that draw less are faster without it.
+constexpr std::size_t kFirstJoin = 1536;
+
 }  // namespace
 
 CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory,
                            CullStats& stats)
-    : options_(options), memory_(memory), stats_(stats) {
+    : options_(options), memory_(memory), stats_(stats), next_join_(kFirstJoin) {
   memory.buffer.begin(view, side(options.width), side(options.height), margin);
   memory.buffer.reserve(kRoom);
   memory.group.reserve(kRoom);
@@ -93,6 +98,10 @@ bool CoverPainter::flush_group() {
   ++stats_.cover_groups;
   stats_.cover_triangles += group.ids().size();
   memory_.buffer.add(group.mesh(source_->triangles, source_->instance), ++groups_);
+  if (stats_.cover_triangles >= next_join_) {
+    memory_.buffer.join_layers();
+    next_join_ = 2 * stats_.cover_triangles;
+  }
   return true;
 }
 

@@ -49,6 +49,8 @@ class CoverPainter {
   /// it draws the triangles of the source that were drawn before and touch them, so that no seam between them stays open.
   /// Returns false if none were kept or no more may be drawn. Else the group that was drawn has the number groups().
   bool flush_group();
+  /// Ends drawing: layers take over what nearer ones have closed.
+  void finish() { memory_.buffer.join_layers(); }
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
   /// Those of the source.
   [[nodiscard]] const CoverTriangles& triangles() const { return source_->triangles; }
@@ -66,6 +68,7 @@ class CoverPainter {
   CullStats& stats_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::uint32_t groups_ = 0;
+  std::size_t next_join_;  ///< when so many triangles are drawn
 };
 
 }  // namespace occlude::culler

@@ -89,6 +89,7 @@ void cull_by_cover(const Hierarchy& hierarchy, const BlockTree& tree, const Cove
   CoverFrame found(tree, memory.buffer, frame, leaves);
   ModelNodes nodes(volumes, memory.buffer, painter, found, frame.result.stats, watch);
   CoverDescent(tree, memory.buffer, frame.result.stats, nodes).run(volumes.view().all());
+  painter.finish();
   found.finish([&](const Culled& culled, std::size_t items) { nodes.cull(culled, items); });
 }
 

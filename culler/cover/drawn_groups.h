@@ -37,16 +37,7 @@ class DrawnGroups {
   /// hides the box.
   template <class Visit>
   void visit_before(const CoverBuffer& buffer, const kernel::Aabb& box, const Visit& visit) const {
-    if (buffer.is_of_region()) {
-      for (const CoverBuffer::Window& window : buffer.windows(buffer.hidden_at(box)).windows) {
-        const std::uint32_t source = groups_[buffer.sheet(window.sheet).id].source;
-        CoverWindow named;
-        name(buffer, window, named);
-        for (const std::uint32_t polygon : named.polygons) visit(source, polygon);
-        for (const FanTriangle& triangle : named.triangles) visit(source, triangle.polygon);
-      }
-      return;
-    }
+    if (buffer.is_of_region()) return visit_windows(buffer, buffer.hidden_at(box), visit);
     for (const auto& [id, places] : buffer.owners(box)) {
       for (const Triangle& triangle : groups_[id].triangles) {
         if (meet(triangle.places, places)) visit(groups_[id].source, triangle.polygon);
@@ -54,7 +45,23 @@ class DrawnGroups {
     }
   }
 
-  /// Sets the sheet of a window.
+  /// The same for a footprint in which several eyes see nothing but closed pixels.
+  template <class Visit>
+  void visit_windows(const CoverBuffer& buffer, const CoverBuffer::Footprint& at, const Visit& visit) const {
+    for (const CoverBuffer::Window& window : buffer.windows(at).windows) {
+      if (window.is_of_nearer_layer()) {
+        visit_windows(buffer, buffer.through(at, window), visit);
+        continue;
+      }
+      const std::uint32_t source = groups_[buffer.sheet(window.sheet).id].source;
+      CoverWindow named;
+      name(buffer, window, named);
+      for (const std::uint32_t polygon : named.polygons) visit(source, polygon);
+      for (const FanTriangle& triangle : named.triangles) visit(source, triangle.polygon);
+    }
+  }
+
+  /// Sets the sheet of a window. REQUIRES: it is closed by one.
   void name(const CoverBuffer& buffer, const CoverBuffer::Window& of, CoverWindow& window) const {
     const CoverBuffer::DrawnSheet& sheet = buffer.sheet(of.sheet);
     std::vector<Fan> fans;

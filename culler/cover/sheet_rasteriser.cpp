@@ -67,9 +67,11 @@ void SheetRasteriser::project(const CoverMesh& mesh) {
   seen_.resize(count);
   vertices_.resize(count);
   nearest_of_mesh_ = kNoBound;
+  farthest_of_mesh_ = -kNoBound;
   for (std::size_t i = 0; i < count; ++i) {
     seen_[i] = picture_.eye_point(mesh_.vertices[i]);
     nearest_of_mesh_ = std::min(nearest_of_mesh_, seen_[i].forward);
+    farthest_of_mesh_ = std::max(farthest_of_mesh_, seen_[i].forward);
   }
   is_cut_ = nearest_of_mesh_ < picture_.near();
   if (picture_.is_of_region()) {

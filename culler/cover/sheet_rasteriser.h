@@ -39,6 +39,8 @@ class SheetRasteriser {
   void project(const CoverMesh& mesh);
   /// No point of the mesh is nearer.
   [[nodiscard]] float nearest_of_mesh() const { return nearness_from(nearest_of_mesh_); }
+  /// About how near its farthest point is.
+  [[nodiscard]] float farthest_of_mesh() const { return nearness_from(farthest_of_mesh_); }
   [[nodiscard]] std::size_t sheets() const { return sheets_.size(); }
   /// The calls that follow are about the picture with this focus. REQUIRES: the picture is of several eyes; project() was
   /// called since begin().
@@ -107,7 +109,7 @@ class SheetRasteriser {
   std::vector<CoverOutline> outlines_;    ///< of these
   std::vector<std::uint32_t> sheet_of_;   ///< for each triangle, the last of sheet_number_ whose depth it was part of
   bool is_cut_ = false;
-  double nearest_of_mesh_ = 0, focus_ = 0;
+  double nearest_of_mesh_ = 0, farthest_of_mesh_ = 0, focus_ = 0;
   // What the eyes of a region do: to vertices, to sides and to triangles.
   std::vector<MovingPosition> moving_;
   std::vector<std::optional<MovingEdge>> edges_;

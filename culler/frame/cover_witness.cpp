@@ -67,41 +67,53 @@ class CoverReplay {
 
   [[nodiscard]] CoverWitness witness_of(const PolygonRange& range, const kernel::Aabb& box,
                                         const CoverBuffer::Footprint& at) const {
-    CoverWitness witness{range, box, {}, {}, {}};
-    if (memory_.buffer.is_of_region()) {
-      name_windows(memory_.buffer.windows(at), witness);
+    CoverWitness witness;
+    witness.range = range;
+    witness.box = box;
+    const auto name = [&](std::uint32_t, std::uint32_t p) { witness.polygons.push_back(p); };
+    if (!memory_.buffer.is_of_region()) {
+      drawn_.visit_before(memory_.buffer, box, name);
     } else {
-      drawn_.visit_before(memory_.buffer, box, [&](std::uint32_t, std::uint32_t p) { witness.polygons.push_back(p); });
+      drawn_.visit_windows(memory_.buffer, at, name);
+      if (!is_skewed()) name_windows(at, witness);
     }
     std::ranges::sort(witness.polygons);
     witness.polygons.erase(std::unique(witness.polygons.begin(), witness.polygons.end()), witness.polygons.end());
     return witness;
   }
 
-  /// No windows are named if the picture is skewed, only what hides.
-  void name_windows(const CoverBuffer::Windows& found, CoverWitness& witness) const {
-    for (const CoverBuffer::Window& window : found.windows) {
-      CoverWindow& named = witness.windows.emplace_back();
-      drawn_.name(memory_.buffer, window, named);
-      witness.polygons.insert(witness.polygons.end(), named.polygons.begin(), named.polygons.end());
-      for (const FanTriangle& triangle : named.triangles) witness.polygons.push_back(triangle.polygon);
-    }
+  /// A point is the sum of these, times its distance along the line of sight and, but for the last, its slopes.
+  [[nodiscard]] Camera::Axes axes() const {
     const ConservativeViewport& picture = memory_.buffer.picture();
-    // A point is the sum of these, times its distance along the line of sight and, but for the last, its slopes.
-    const glm::dvec3 right = dual(picture.right(), picture.up(), picture.forward()),
-                     up = dual(picture.up(), picture.forward(), picture.right()),
-                     forward = dual(picture.forward(), picture.right(), picture.up());
-    if (std::fabs(glm::dot(right, up)) > kSkew * glm::length(right) * glm::length(up)) return witness.windows.clear();
+    return {dual(picture.right(), picture.up(), picture.forward()), dual(picture.up(), picture.forward(), picture.right()),
+            dual(picture.forward(), picture.right(), picture.up())};
+  }
+
+  /// Of a skewed picture no windows are named, only what hides.
+  [[nodiscard]] bool is_skewed() const {
+    const auto [right, up, forward] = axes();
+    return std::fabs(glm::dot(right, up)) > kSkew * glm::length(right) * glm::length(up);
+  }
+
+  /// Names the windows of a footprint.
+  void name_windows(const CoverBuffer::Footprint& at, CoverLayer& layer) const {
+    const CoverBuffer::Windows found = memory_.buffer.windows(at);
+    const ConservativeViewport& picture = memory_.buffer.picture();
+    const auto [right, up, forward] = axes();
     const double distance = 1 / found.focus, x = distance * glm::length(right), y = distance * glm::length(up);
-    witness.focus = {picture.eye() + distance * forward, glm::normalize(glm::cross(up, right)), glm::normalize(right)};
-    for (std::size_t i = 0; i < found.windows.size(); ++i) {
-      const PixelRectangle& pixels = found.windows[i].pixels;
-      const PixelPosition low = picture.slope(pixels.x0, pixels.y0), high = picture.slope(pixels.x1, pixels.y1);
-      CoverWindow& window = witness.windows[i];
+    layer.focus = {picture.eye() + distance * forward, glm::normalize(glm::cross(up, right)), glm::normalize(right)};
+    for (const CoverBuffer::Window& of : found.windows) {
+      CoverWindow& window = layer.windows.emplace_back();
+      const PixelPosition low = picture.slope(of.pixels.x0, of.pixels.y0), high = picture.slope(of.pixels.x1, of.pixels.y1);
       window.x0 = x * low.x;
       window.y0 = y * low.y;
       window.x1 = x * high.x;
       window.y1 = y * high.y;
+      if (of.is_of_nearer_layer()) {
+        name_windows(memory_.buffer.through(at, of), window);
+      } else {
+        drawn_.name(memory_.buffer, of, window);
+      }
     }
   }
 

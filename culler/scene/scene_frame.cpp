@@ -108,6 +108,7 @@ class SceneFrame {
       };
       descend(forest.tree.tree(), StandingBoxes{}, planes_.all(), see, [] {});
     }
+    painter_.finish();
   }
 
   /// Lists the objects that are neither hidden nor out of view: first finds the groups that are neither, then lists the

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -61,7 +62,7 @@ class WindowForger {
   [[nodiscard]] bool has_witnesses() const { return !witnesses_.empty(); }
 
   struct Outcome {
-    std::string line;
+    std::string line, failure;  ///< why the line is not taken
     bool is_honest, is_taken, is_refuted;
   };
 
@@ -70,10 +71,12 @@ class WindowForger {
     const bool is_honest = random_.chance(0.1);
     if (!is_honest) bend(claim);
     if (!is_honest && random_.chance(0.2)) bend(claim);
-    Outcome outcome{line_of(claim).dump(), is_honest, false, is_refuted(claim)};
+    Outcome outcome{line_of(claim).dump(), "", is_honest, false, is_refuted(claim)};
     try {
-      outcome.is_taken = prover_.prove(outcome.line).failure.empty();
-    } catch (const cases::LineError&) {  // it is not even a witness
+      outcome.failure = prover_.prove(outcome.line).failure;
+      outcome.is_taken = outcome.failure.empty();
+    } catch (const cases::LineError& error) {  // it is not even a witness
+      outcome.failure = error.what();
     }
     return outcome;
   }
@@ -99,22 +102,33 @@ class WindowForger {
     return cameras;
   }
 
-  CoverWindow& some_window(Claim& claim) { return claim.witness.windows[random_.index(claim.witness.windows.size())]; }
+  /// Of any plane, or of those with a sheet.
+  CoverWindow& some_window(culler::CoverLayer& layer, bool has_sheet) {
+    CoverWindow& window = layer.windows[random_.index(layer.windows.size())];
+    if (window.windows.empty() || (!has_sheet && random_.chance(0.3))) return window;
+    return some_window(window, has_sheet);
+  }
+
+  /// Any plane of the claim.
+  culler::CoverLayer& some_layer(culler::CoverLayer& layer) {
+    CoverWindow& window = layer.windows[random_.index(layer.windows.size())];
+    return window.windows.empty() || random_.chance(0.3) ? layer : some_layer(window);
+  }
 
   /// Makes the claim another one, which may be true by chance.
   void bend(Claim& claim) {
     if (claim.witness.windows.empty()) return;
     switch (random_.integer(0, 7)) {
       case 0:
-        return take_away(claim.witness.windows);
+        return take_away(some_layer(claim.witness).windows);
       case 1:
-        return narrow(some_window(claim));
+        return narrow(some_window(claim.witness, false));
       case 2:
         return thin_out(claim);
       case 3:
         return exchange_sheets(claim);
       case 4:
-        return move_focus(claim.witness.focus);
+        return move_focus(some_layer(claim.witness).focus);
       case 5:
         claim.frame = 1 + random_.index(cameras_.size() - 1);
         return;
@@ -150,22 +164,28 @@ class WindowForger {
 
   /// Takes a polygon or a triangle from the sheet of a window, and from all that have the same one.
   void thin_out(Claim& claim) {
-    const CoverWindow before = some_window(claim);
+    const CoverWindow before = some_window(claim.witness, true);
     CoverWindow after = before;
     if (!after.polygons.empty() && (after.triangles.empty() || random_.chance(0.5))) {
       take_away(after.polygons);
     } else if (!after.triangles.empty()) {
       take_away(after.triangles);
     }
-    for (CoverWindow& w : claim.witness.windows) {
-      if (w.polygons != before.polygons || w.triangles != before.triangles) continue;
+    exchange(claim.witness, before, after);
+  }
+
+  /// Gives all windows with one sheet another one.
+  static void exchange(culler::CoverLayer& layer, const CoverWindow& before, const CoverWindow& after) {
+    for (CoverWindow& w : layer.windows) {
+      exchange(w, before, after);
+      if (!w.windows.empty() || w.polygons != before.polygons || w.triangles != before.triangles) continue;
       w.polygons = after.polygons;
       w.triangles = after.triangles;
     }
   }
 
   void exchange_sheets(Claim& claim) {
-    CoverWindow &a = some_window(claim), &b = some_window(claim);
+    CoverWindow &a = some_window(claim.witness, true), &b = some_window(claim.witness, true);
     std::swap(a.polygons, b.polygons);
     std::swap(a.triangles, b.triangles);
   }
@@ -214,7 +234,7 @@ class WindowForger {
 
   [[nodiscard]] Json line_of(const Claim& claim) const {
     const culler::Hierarchy& hierarchy = culler_.hierarchy();
-    const auto& [range, box, polygons, focus, windows] = claim.witness;
+    const CoverWitness& witness = claim.witness;
     const Camera& camera = cameras_[claim.frame];
     Json eyes{{"center", json(camera.eye)}};
     if (camera.eyes.radius > 0) {
@@ -222,23 +242,30 @@ class WindowForger {
     } else {
       for (const dvec3& half_edge : camera.eyes.half_edges) eyes["half_edges"].push_back(json(half_edge));
     }
-    const std::size_t first = hierarchy.first_triangle(range.first);
+    const std::size_t first = hierarchy.first_triangle(witness.range.first);
+    const std::size_t end = hierarchy.first_triangle(witness.range.first + witness.range.count);
     Json line{{"frame", claim.frame},
               {"eyes", eyes},
-              {"box", {{"min", json(box.min)}, {"max", json(box.max)}}},
+              {"box", {{"min", json(witness.box.min)}, {"max", json(witness.box.max)}}},
               {"leaf", hierarchy.leaf_size()},
-              {"triangles", {first, hierarchy.first_triangle(range.first + range.count) - first}},
-              {"by", "cover"},
-              {"focus", {{"point", json(focus.point)}, {"normal", json(focus.normal)}, {"right", json(focus.right)}}},
-              {"windows", Json::array()}};
-    for (const CoverWindow& w : windows) {
-      Json window{{"rect", {w.x0, w.y0, w.x1, w.y1}}, {"polygons", names(w.polygons)}};
-      for (const culler::FanTriangle& t : w.triangles) {
-        window["triangles"].push_back({hierarchy.face(t.polygon), t.corner});
-      }
-      line["windows"].push_back(std::move(window));
-    }
+              {"triangles", {first, end - first}},
+              {"by", "cover"}};
+    line.update(layer(witness));
     return line;
+  }
+
+  [[nodiscard]] Json layer(const culler::CoverLayer& layer) const {
+    const auto& [point, normal, right] = layer.focus;
+    Json windows = Json::array();
+    for (const CoverWindow& w : layer.windows) {
+      Json window = w.windows.empty() ? Json{{"polygons", names(w.polygons)}} : this->layer(w);
+      window["rect"] = {w.x0, w.y0, w.x1, w.y1};
+      for (const culler::FanTriangle& t : w.triangles) {
+        window["triangles"].push_back({culler_.hierarchy().face(t.polygon), t.corner});
+      }
+      windows.push_back(std::move(window));
+    }
+    return {{"focus", {{"point", json(point)}, {"normal", json(normal)}, {"right", json(right)}}}, {"windows", windows}};
   }
 
   [[nodiscard]] std::vector<oracle::Triangle> sheet_of(const CoverWindow& window) const {
@@ -269,34 +296,42 @@ class WindowForger {
     return std::array{glm::dot(p, focus.right) / glm::dot(focus.right, focus.right), glm::dot(p, up) / glm::dot(up, up)};
   }
 
-  /// Whether a line of sight refutes the claim: one that crosses the focus plane beside all windows or, exactly, does not
-  /// meet the sheet of a window through which it goes. What rounding cannot tell apart refutes nothing.
+  /// Whether a line of sight refutes the claim: one that crosses a focus plane beside all windows or, exactly, does not meet
+  /// the sheet of a window through which it goes. What rounding cannot tell apart refutes nothing.
   bool is_refuted(const Claim& claim) {
     const Camera& camera = cameras_[claim.frame];
-    const CoverWitness& witness = claim.witness;
     const auto drawn = proof::drawn(camera, to_oracle(culler_.hierarchy().nodes()[0].box));
-    std::vector<std::optional<oracle::Sight>> sights(witness.windows.size());
-    const auto to_glm = [](const oracle::Point& p) { return dvec3(p[0], p[1], p[2]); };
+    std::map<const CoverWindow*, oracle::Sight> sights;
+    const auto is_clear = [&](const CoverWindow& window, const oracle::Point& eye, const oracle::Point& point) {
+      const auto known = sights.find(&window);
+      oracle::Sight& sight =
+          known != sights.end() ? known->second : sights.try_emplace(&window, sheet_of(window), drawn).first->second;
+      return sight.is_clear(eye, point);
+    };
     for (const oracle::Point& eye : some_eyes(random_, *proof::eyes_of(camera))) {
       for (int i = 0; i < 4; ++i) {
-        const oracle::Point point = some_point(random_, witness.box);
-        const auto at = crossing(witness.focus, to_glm(eye), to_glm(point));
-        if (!at) continue;
-        const auto [x, y] = *at;
-        bool is_beside = true;
-        for (std::size_t w = 0; w < sights.size(); ++w) {
-          const auto& window = witness.windows[w];
-          const double slack = 1e-9 * (std::fabs(x) + std::fabs(y) + window.x1 - window.x0 + window.y1 - window.y0);
-          const double inside = std::min({x - window.x0, window.x1 - x, y - window.y0, window.y1 - y});
-          is_beside = is_beside && inside < -slack;
-          if (!(inside > slack)) continue;
-          if (!sights[w]) sights[w].emplace(sheet_of(window), drawn);
-          if (sights[w]->is_clear(eye, point)) return true;
-        }
-        if (is_beside) return true;
+        if (is_refuted(claim.witness, eye, some_point(random_, claim.witness.box), is_clear)) return true;
       }
     }
     return false;
+  }
+
+  template <class IsClear>
+  static bool is_refuted(const culler::CoverLayer& layer, const oracle::Point& eye, const oracle::Point& point,
+                         const IsClear& is_clear) {
+    const auto to_glm = [](const oracle::Point& p) { return dvec3(p[0], p[1], p[2]); };
+    const auto at = crossing(layer.focus, to_glm(eye), to_glm(point));
+    if (!at) return false;
+    const auto [x, y] = *at;
+    bool is_beside = true;
+    for (const CoverWindow& window : layer.windows) {
+      const double slack = 1e-9 * (std::fabs(x) + std::fabs(y) + window.x1 - window.x0 + window.y1 - window.y0);
+      const double inside = std::min({x - window.x0, window.x1 - x, y - window.y0, window.y1 - y});
+      is_beside = is_beside && inside < -slack;
+      if (!(inside > slack)) continue;
+      if (window.windows.empty() ? is_clear(window, eye, point) : is_refuted(window, eye, point, is_clear)) return true;
+    }
+    return is_beside;
   }
 
   Random& random_;
@@ -319,7 +354,7 @@ void run_region_forgeries(std::uint64_t seed, Report& report) {
     ++report.tally.cases;
     ++report.tally.relations[outcome.is_taken ? 0 : outcome.is_refuted ? 2 : 1];
     if (outcome.is_honest && !outcome.is_taken) {
-      add_finding(report, "honest", "what the culler culls is not proved: " + outcome.line);
+      add_finding(report, "honest", "what the culler culls is not proved: " + outcome.failure + ": " + outcome.line);
     }
     if (outcome.is_taken && outcome.is_refuted) {
       add_finding(report, "proof", "a line of sight refutes what is proved: " + outcome.line);

@@ -197,6 +197,27 @@ TEST(CoverBuffer, OfAClosedSurfaceTheNearSideHides) {
 }
 
 /// With a margin less is hidden, by that much in the picture.
+/// Two walls, one a little behind the other, that overlap by less than what the eyes move their borders by as seen from the
+/// layer of the box. No eye sees between them.
+TEST(CoverBuffer, LayersTakeOverWhatNearerOnesClose) {
+  Camera camera = looking_along_x();
+  camera.eyes = EyeRegion::ball(0.3);
+  CoverBuffer buffer;
+  buffer.begin(FrameView(camera, 100), kWidth, kHeight, 0);
+  const auto add_wall = [&](double x, double from, double to) {
+    add(buffer, {{x, from, -20}, {x, to, -20}, {x, to, 20}, {x, from, 20}}, {{0, 1, 2}, {0, 2, 3}});
+  };
+  const kernel::Aabb behind = cube({30, 0, 0}, 1), before = cube({3, 0, 0}, 0.1);
+  add_wall(5, -20, 0.2);
+  buffer.join_layers();
+  EXPECT_FALSE(buffer.hides(behind)) << "it shows beside the one wall";
+  add_wall(5.05, -0.2, 20);
+  EXPECT_FALSE(buffer.hides(behind)) << "far layers wait for join_layers()";
+  buffer.join_layers();
+  EXPECT_TRUE(buffer.hides(behind));
+  EXPECT_FALSE(buffer.hides(before));
+}
+
 TEST(CoverBuffer, TheMarginIsKept) {
   const Mesh mesh = square(2, 1);  // reaches 27.7 pixels from the middle; with a margin of 1/8 of 64 pixels, 19.7
   const auto hides = [&](double margin, double aside) {

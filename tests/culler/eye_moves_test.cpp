@@ -20,6 +20,7 @@
 #include "camera/frame_view.h"
 #include "cover/conservative_viewport.h"
 #include "cover/cover_buffer.h"
+#include "cover/layer_erosion.h"
 #include "cover/projected_boxes.h"
 #include "cover/projected_plane.h"
 #include "scenes.h"
@@ -98,6 +99,12 @@ class EyeMovesTest : public testing::Test {
     const Real focus = focus_, left = 1 - focus * e.z, forward = v.z - e.z;
     const Real x = focus * e.x + (v.x - e.x) / forward * left, up = focus * e.y + (v.y - e.y) / forward * left;
     return {picture_.middle().x + picture_.scale().x * x, picture_.middle().y + picture_.scale().y * up, 1 / v.z};
+  }
+
+  /// The vector whose product with `a` is 1, and with the others 0.
+  [[nodiscard]] static Vector dual(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const Vector across = glm::cross(Vector(b), Vector(c));
+    return across / glm::dot(Vector(a), across);
   }
 
   static constexpr double kDepth = 4000;
@@ -185,6 +192,46 @@ TEST_F(EyeMovesTest, BoxesAskLayersThatStartNoNearer) {
     }
   }
   EXPECT_GT(around, 1000U);
+}
+
+/// The rays of a pixel pass the next nearer layer in the pixels through which it may take over that they are closed.
+TEST_F(EyeMovesTest, HoldRaysInTheNextLayer) {
+  std::size_t tight = 0, all = 0;
+  for (int i = 0; i < 2000; ++i) {
+    next_picture();
+    FocusLayers layers;
+    layers.count = 2;
+    layers.focus[0] = static_cast<float>(number(0, 1) * number(0, 1) * picture_.most_focus());
+    layers.focus[1] = static_cast<float>(number(layers.focus[0], picture_.most_focus()));
+    LayerErosion erosion;
+    erosion.begin(picture_, layers);
+    const int x = static_cast<int>(number(0, 512)), y = static_cast<int>(number(0, 288));
+    const PixelRectangle pixel{x, y, x + 1, y + 1}, through = erosion.through(0, pixel);
+    if (through.x1 - through.x0 > 64 || through.y1 - through.y0 > 64) continue;  // nothing is taken over
+    ++all;
+    Real nearest = std::numeric_limits<Real>::infinity();
+    for (int k = 0; k < 32; ++k) {
+      // A ray passes the plane in focus at a point; the next layer sees this point like any other.
+      const auto side = [&] { return k % 2 == 0 ? static_cast<double>(random_() % 2) : number(0, 1); };
+      const PixelPosition slope = picture_.slope(x + side(), y + side());
+      const Real distance = 1 / Real(layers.focus[0]);
+      const Vector p =
+          Vector(picture_.eye()) + distance * (Real(slope.x) * dual(picture_.right(), picture_.up(), picture_.forward()) +
+                                               Real(slope.y) * dual(picture_.up(), picture_.forward(), picture_.right()) +
+                                               dual(picture_.forward(), picture_.right(), picture_.up()));
+      focus_ = layers.focus[1];
+      const Place at = seen_from(some_eye(), p);
+      constexpr Real kRounded = 1e-10;  // of the positions of this test
+      ASSERT_GE(at.x, through.x0 - kRounded) << "picture " << i;
+      ASSERT_LE(at.x, through.x1 + kRounded) << "picture " << i;
+      ASSERT_GE(at.y, through.y0 - kRounded) << "picture " << i;
+      ASSERT_LE(at.y, through.y1 + kRounded) << "picture " << i;
+      nearest = std::min({nearest, at.x - through.x0, through.x1 - at.x, at.y - through.y0, through.y1 - at.y});
+    }
+    tight += nearest < 1 ? 1 : 0;
+  }
+  EXPECT_GT(all, 1000U);
+  EXPECT_GT(tight, all / 2) << "the bounds are much too large";
 }
 
 /// Of long edges and of such as are shorter than the moves, whose ends may pass each other.

@@ -173,7 +173,7 @@ TEST_F(CameraPathTest, SyntaxErrorsNameTheLine) {
   text.replace(text.find("\"near\":7") + 7, 1, std::string(1'000'000, '9'));
   EXPECT_EQ(failure(text), ": near: must be finite and greater than 0");
   EXPECT_EQ(failure("{\n\"frames\": \x1b[2J" + std::string(1'000'000, 'x')), ":2: not JSON, near column 11");
-  EXPECT_EQ(failure(std::string(1'000'000, '[')), ":1: nested too deeply, near column 17");
+  EXPECT_EQ(failure(std::string(1'000'000, '[')), ":1: nested too deeply, near column 33");
   EXPECT_EQ(failure("{\"frames\": 1,\n \"frames\": 5}"), ":2: repeated key in an object, near column 2");
   EXPECT_EQ(failure(R"({"a": [{"b": "c", "c": {"b": 1e999}}, {"\u0062": 1, "b" : 2}]})"),
             ":1: repeated key in an object, near column 53");

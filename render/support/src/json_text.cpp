@@ -19,8 +19,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Far more than our formats need, and far less than would overflow the stack of a recursive parser.
-constexpr std::size_t kDeepest = 16;
+/// More than our formats need (a witness of a region has two levels for each of its planes), and far less than would
+/// overflow the stack of a recursive parser.
+constexpr std::size_t kDeepest = 32;
 
 /// The end of the string that begins at `start`.
 std::size_t end_of_string(std::string_view text, std::size_t start) {

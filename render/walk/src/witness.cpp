@@ -152,22 +152,29 @@ class Lines {
   }
   void append_cover(const culler::CoverWitness& cover) {
     if (cover.windows.empty()) return append_cover(cover.range, cover.box, cover.polygons);
-    const auto& [point, normal, right] = cover.focus;
-    const auto window = [&](const culler::CoverWindow& w) {
-      const std::string parts =
-          w.triangles.empty() ? "" : R"(,"triangles":)" + list(w.triangles, [&](const culler::FanTriangle& t) {
-                                       return fmt::format("[{},{}]", name_of(hierarchy_, t.polygon), t.corner);
-                                     });
-      return fmt::format(R"({{"rect":[{},{},{},{}],"polygons":{}{}}})", w.x0, w.y0, w.x1, w.y1, names(w.polygons), parts);
-    };
-    append(cover.range, cover.box,
-           fmt::format(R"("by":"cover","focus":{{"point":{},"normal":{},"right":{}}},"windows":{})", triple(point),
-                       triple(normal), triple(right), list(cover.windows, window)));
+    append(cover.range, cover.box, R"("by":"cover",)" + layer_members(cover));
   }
 
  private:
   [[nodiscard]] std::string names(std::span<const std::uint32_t> polygons) const {
     return list(polygons, [&](std::uint32_t p) { return name_of(hierarchy_, p); });
+  }
+
+  [[nodiscard]] std::string sheet_members(const culler::CoverWindow& window) const {
+    const std::string polygons = R"("polygons":)" + names(window.polygons);
+    if (window.triangles.empty()) return polygons;
+    return polygons + R"(,"triangles":)" + list(window.triangles, [&](const culler::FanTriangle& t) {
+             return fmt::format("[{},{}]", name_of(hierarchy_, t.polygon), t.corner);
+           });
+  }
+  [[nodiscard]] std::string layer_members(const culler::CoverLayer& layer) const {
+    const auto& [point, normal, right] = layer.focus;
+    const auto window = [&](const culler::CoverWindow& w) {
+      return fmt::format(R"({{"rect":[{},{},{},{}],{}}})", w.x0, w.y0, w.x1, w.y1,
+                         w.windows.empty() ? sheet_members(w) : layer_members(w));
+    };
+    return fmt::format(R"("focus":{{"point":{},"normal":{},"right":{}}},"windows":{})", triple(point), triple(normal),
+                       triple(right), list(layer.windows, window));
   }
 
   std::vector<std::string>& lines_;

@@ -186,23 +186,29 @@ struct FanTriangle {
   auto operator<=>(const FanTriangle&) const = default;
 };
 
+struct CoverWindow;
+
+/// Windows in a plane.
+struct CoverLayer {
+  FocusPlane focus{};
+  std::vector<CoverWindow> windows;
+};
+
 /// The lines of sight that cross a FocusPlane at x0 <= x <= x1 and y0 <= y <= y1, and a sheet that all these lines meet:
-/// triangles, modulo 2.
-struct CoverWindow {
+/// triangles, modulo 2. Or they all cross a nearer plane in windows; then the sheet is empty.
+struct CoverWindow : CoverLayer {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   std::vector<std::uint32_t> polygons;  ///< of which all triangles are in the sheet, ascending
   std::vector<FanTriangle> triangles;   ///< those of other polygons, ascending
 };
 
-/// What hides a subtree that was culled by cover, or a part of the subtree.
-struct CoverWitness {
+/// What hides a subtree that was culled by cover, or a part of the subtree. Of a perspective camera with several eyes, the
+/// windows say which of the polygons hide it together, and in which lines of sight: all those to the box cross the plane in
+/// windows. A picture whose axes are not perpendicular has no such plane.
+struct CoverWitness : CoverLayer {
   PolygonRange range;                   ///< what is hidden, in Hierarchy::soup()
   kernel::Aabb box;                     ///< holds the range; all of it is hidden
   std::vector<std::uint32_t> polygons;  ///< what hides it, in Hierarchy::soup(), ascending
-  /// Of a perspective camera with several eyes: which of the polygons hide it together, and in which lines of sight. All
-  /// lines of sight to the box cross the plane in windows. A picture whose axes are not perpendicular has no such plane.
-  FocusPlane focus{};
-  std::vector<CoverWindow> windows;
 };
 
 struct CullStats {
