@@ -51,12 +51,15 @@ class ShadowMargin {
 
   /// Whether shadows are not made smaller.
   [[nodiscard]] bool is_none() const { return size_ == 0 && eye_error_ == 0; }
+  /// Whether the eye is one point, known exactly. Otherwise two shadows together hide nothing.
+  [[nodiscard]] bool is_of_one_eye() const { return eye_error_ == 0; }
 
   /// Whether a box that is in the shadow is also in the shadow less the margin. False if the shadow is none.
   /// REQUIRES: the box is in the shadow; the shadow is from the view's viewpoint.
   [[nodiscard]] bool keeps(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) const;
   [[nodiscard]] bool keeps(const kernel::ShadowFrustum& shadow, const kernel::Obb& box) const;
-  /// The same for the union of two shadows. Conservative: it may say no of a box that is in the union less the margin.
+  /// The same for the union of two shadows, if it is_of_one_eye(). Conservative: it may say no of a box that is in the union
+  /// less the margin.
   [[nodiscard]] bool keeps(const kernel::ShadowUnion& shadows, const Box& box) const;
 
  private:

@@ -20,7 +20,7 @@ inline void choose_occluders(const OccluderSet& occluders, const CullOptions& op
   if (is_coherent) choice.take_untried();
   choice.take_best();
   if (is_coherent) choice.take_probes();
-  if (options.unions) choice.pair_neighbours();
+  if (options.unions && frame.margin.is_of_one_eye()) choice.pair_neighbours();
 }
 
 /// `occluders` may be null if options.occluders is 0. What is thrown leaves a result that draws everything. REQUIRES: the

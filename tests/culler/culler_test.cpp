@@ -576,6 +576,20 @@ TEST(Culler, TwoHideTogetherWhereAsked) {
   EXPECT_TRUE(culler.cull(camera, options, view).pairs.empty()) << "the pairs are those of the frame";
 }
 
+/// Of several eyes, and of a matrix whose eye is rounded, two hide no more together, and are not asked.
+TEST(Culler, NoPairsWhereTheEyeIsNotExact) {
+  const Culler culler(corner(), {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
+  const CullOptions options{.occluders = 2, .unions = true};
+  Camera camera;
+  camera.eye = {0.1, 0.2, 0.3};
+  camera.target = {1, 0, 0};
+  camera.fov_y_deg = 120;
+  ASSERT_EQ(culler.cull(camera, options).pairs.size(), 1U);
+  EXPECT_TRUE(culler.cull(MatrixCamera::from_camera(camera, ClipDepth::zero_to_w, Nearer::less), options).pairs.empty());
+  camera.eyes = EyeRegion::ball(0.001);
+  EXPECT_TRUE(culler.cull(camera, options).pairs.empty());
+}
+
 /// Triangles that share one edge, like the pages of a book: each makes a pair with every other.
 PolygonSoup book(std::size_t pages) {
   PolygonSoup soup;

@@ -128,7 +128,8 @@ struct CullOptions {
   /// rounding of positions in the picture. REQUIRES: margin >= 0, which is not checked.
   double margin = 0;
   /// Frusta. Whether two chosen occluders that share an edge also hide together what neither hides alone. Always certified
-  /// and exact, whatever `arithmetic` is.
+  /// and exact, whatever `arithmetic` is. Of several eyes, and of an eye that is known up to rounding (most matrices), two
+  /// hide no more together than each alone, and none are asked.
   bool unions = false;
   /// Frusta. On which threads candidates are sorted, shadows are made and the tree is traversed; nullptr: on the calling
   /// thread, as the traversal always is where a frame has pairs. The result is the same. The executor must live until the
