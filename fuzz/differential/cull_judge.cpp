@@ -174,7 +174,7 @@ class CullJudge {
       const oracle::Loop loop = to_oracle(polygon(hierarchy_.soup().loop(p)));
       sheet.push_back({loop[0], loop[corner], loop[corner + 1]});
     }
-    return oracle::Sheet(sheet, proof::drawn(camera_, model_));
+    return oracle::Sheet(sheet, proof::drawn_of_sheets(camera_, model_));
   }
 
   oracle::Layer layer_of(const culler::CoverLayer& layer) const {

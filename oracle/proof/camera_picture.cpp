@@ -181,15 +181,29 @@ bool may_draw_beyond(const std::array<double, 4>& plane, const AnyCamera& camera
   return oracle::relation_to_half_spaces(both, model).relation != Relation::outside;
 }
 
-HalfSpaceCoefficients drawn(const AnyCamera& camera, const oracle::Aabb& model, const Eyes& eyes) {
+namespace {
+
+/// The half-space of the near plane, moved inwards by this share of the depth.
+HalfSpaceCoefficients beyond_near(const AnyCamera& camera, const oracle::Aabb& model, const Eyes& eyes, double share) {
   constexpr double kLeast = 0x1p-100, kMost = 0x1p100;
-  HalfSpaceCoefficients near = picture_of(camera, -kRendererRounds * depth_of(model, camera, eyes), eyes).depth.front();
+  HalfSpaceCoefficients near = picture_of(camera, -share * depth_of(model, camera, eyes), eyes).depth.front();
   double& offset = near[3];
   if (offset != 0 && std::fabs(offset) < kLeast) offset = -kLeast;  // inward
   if (std::fabs(offset) > kMost) {
     for (double& number : near) number *= 0x1p-4;
   }
   return near;
+}
+
+}  // namespace
+
+HalfSpaceCoefficients drawn(const AnyCamera& camera, const oracle::Aabb& model, const Eyes& eyes) {
+  return beyond_near(camera, model, eyes, kRendererRounds);
+}
+
+HalfSpaceCoefficients drawn_of_sheets(const AnyCamera& camera, const oracle::Aabb& model, const Eyes& eyes) {
+  static_assert(kSheetsBegin > kRendererRounds);
+  return beyond_near(camera, model, eyes, kSheetsBegin);
 }
 
 bool may_clip(const AnyCamera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points, const Eyes& eyes) {

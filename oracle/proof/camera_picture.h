@@ -40,6 +40,8 @@ using Eyes = std::optional<oracle::EyeRegion>;
 /// from subtracting the eye. The matrix and its products round once each, and their sum three times. The last is that of
 /// near or far. The tenth 2^-24 covers the second-order terms.
 inline constexpr double kRendererRounds = 10 * 0x1p-24;
+/// Where the culler cuts sheets: beyond the near plane by 2^-20 of the depth (Camera, ../../culler/README.md).
+inline constexpr double kSheetsBegin = 0x1p-20;
 
 /// Whether the renderer may draw a point of `model` at which a x + b y + c z + d <= 0. REQUIRES: the coordinates of the box
 /// are in the legal range; the numbers of the plane are finite.
@@ -53,5 +55,11 @@ inline constexpr double kRendererRounds = 10 * 0x1p-24;
 /// The half-space whose points in `model` the near plane of the renderer certainly does not clip. Its numbers are in the
 /// legal range. REQUIRES: as above.
 [[nodiscard]] oracle::HalfSpaceCoefficients drawn(const AnyCamera& camera, const oracle::Aabb& model, const Eyes& eyes = {});
+
+/// A half-space in that one, in which the sheets of windows are looked at. Any does: what is left out only hides less. But
+/// where a sheet is cut is border, and border that shows in a window proves nothing. So this begins where the culler cuts
+/// sheets.
+[[nodiscard]] oracle::HalfSpaceCoefficients drawn_of_sheets(const AnyCamera& camera, const oracle::Aabb& model,
+                                                            const Eyes& eyes = {});
 
 }  // namespace occlude::proof

@@ -267,7 +267,7 @@ std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint
 
 std::string Prover::fault_of_region(const oracle::EyeRegion& eyes, const Json& object, const AnyCamera& camera,
                                     const Box& box) const {
-  const oracle::HalfSpaceCoefficients beyond_near = drawn(camera, model_, eyes);
+  const oracle::HalfSpaceCoefficients beyond_near = drawn_of_sheets(camera, model_, eyes);
   std::map<std::pair<Json, Json>, oracle::Sheet> sheets;  // windows side by side have the same one
   std::size_t windows = 0, vertices = 0;
   std::string fault;
