@@ -110,13 +110,11 @@ void define_common(py::class_<Held>& held, const char* name, const char* what) {
 
 constexpr const char* kOfModels =
     "Culls a model for one camera that moves, at a small part of the time of a cull for each frame: while one region of "
-    "eyes "
-    "holds, the next is culled beside it, for where the eye will be. No frame can be wrong by it. Regions reach `aside` and "
-    "`up` from the way of the eye and hold for a camera that turns by turn_degrees, at least. They are culled on a thread "
-    "of "
-    "the module, or by `later`, such as the submit of an Executor: it is called with a function without parameters, which "
-    "it "
-    "calls on any thread, now or later, or never. The results of a cull that is `repeatable` do not depend on threads.";
+    "eyes holds, the next is culled beside it, for where the eye will be. No frame can be wrong by it. Regions reach "
+    "`aside` and `up` from the way of the eye and hold for a camera that turns by turn_degrees, at least. They are culled "
+    "on a thread of the module, or by `later`, such as the submit of an Executor: it is called with a function without "
+    "parameters, which it calls on any thread, now or later, or never. The results of a cull that is `repeatable` do not "
+    "depend on threads.";
 constexpr const char* kOfScenes =
     "As HeldCull, of a scene. Each object is asked in each frame where it is then, so that objects may come, go and move. "
     "Occluders that move hide in frames for themselves alone.";

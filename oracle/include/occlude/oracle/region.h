@@ -102,9 +102,8 @@ struct RegionVerdict {
 /// - The windows cover where the lines of sight to the box cross the focus plane: the bounding rectangle in its axes. The
 ///   windows of another layer do so for the lines of sight to the window that it belongs to.
 /// - For each window with a sheet, on all lines from an eye through it, as far as the depth of the nearest corner of the
-/// box: no point of
-///   the sheet's border; the sheet meets neither an eye nor that depth; and one line meets it an odd number of times. Then
-///   all do, because that number changes by one only where a line passes the border, an eye or that depth.
+///   box: no point of the sheet's border; the sheet meets neither an eye nor that depth; and one line meets it an odd number
+///   of times. Then all do, because that number changes by one only where a line passes the border, an eye or that depth.
 /// Touching is meeting. Exact for boxes of eyes. A ball that is apart from the sheet by no more than rounding may be taken
 /// to touch it.
 [[nodiscard]] RegionVerdict judge(const RegionWitness& witness);

@@ -225,8 +225,7 @@ struct AheadOptions {
 ///    1.64 times as large. The near plane is farther, because what hides must be drawn by a camera that is turned, and the
 ///    far plane, if there is one, is as much farther.
 /// 3. A matrix becomes a camera with a picture around the matrix's. If a ray of that picture does not meet its near plane,
-/// as
-///    with oblique ones, a frame of the camera hides nothing.
+///    as with oblique ones, a frame of the camera hides nothing.
 /// 4. With parallel rays, the frame holds only if adding the way to eye and target leaves the line of sight the same to the
 ///    last bit, as where it runs along an axis.
 /// Throws std::invalid_argument for a camera with a fault(), for parallel rays that are a matrix's, and for numbers of which
