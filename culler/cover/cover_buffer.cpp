@@ -33,8 +33,6 @@ FocusLayers layers_of(const ConservativeViewport& picture) {
   return layers;
 }
 
-constexpr float kOpen = -std::numeric_limits<float>::infinity();
-
 }  // namespace
 
 void CoverBuffer::begin(const FrameView& view, int width, int height, double margin) {
@@ -66,6 +64,7 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
 
 void CoverBuffer::keep_owners() {
   owners_.assign(nearness_.size(), kNone);
+  owned_ = nearness_;
   sheets_.clear();
 }
 
@@ -91,17 +90,11 @@ std::size_t CoverBuffer::first_layer_of_mesh() const {
 
 /// From near to far, so that a layer takes over what the next one has taken over.
 void CoverBuffer::join_layers() {
-  for (std::size_t layer = boxes_.layers.count - 1; layer-- > 0;) join_layer(layer);
-}
-
-void CoverBuffer::join_layer(std::size_t layer) {
-  const auto tiles = static_cast<std::size_t>(boxes_.tiles_of_layer), first = layer * tiles;
-  const auto pixels = std::span(nearness_).subspan(first * kTilePixels, tiles * kTilePixels);
-  const std::vector<float> before =
-      owners_.empty() ? std::vector<float>() : std::vector<float>(pixels.begin(), pixels.end());
-  erosion_.erode(layer, boxes_.layers.start(layer + 1), {pixels.data(), &nearest_[first], &farthest_[first]});
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (pixels[i] != before[i]) owners_[first * kTilePixels + i] = Window::kNearerLayer;
+  const auto tiles = static_cast<std::size_t>(boxes_.tiles_of_layer);
+  for (std::size_t layer = boxes_.layers.count - 1; layer-- > 0;) {
+    const std::size_t first = layer * tiles;
+    erosion_.erode(layer, boxes_.layers.start(layer + 1),
+                   {&nearness_[first * kTilePixels], &nearest_[first], &farthest_[first]});
   }
 }
 
@@ -169,7 +162,9 @@ void CoverBuffer::own(std::size_t first, std::size_t count, std::uint32_t id) {
     if (nearness == std::numeric_limits<float>::infinity()) continue;  // it is not there
     for (std::size_t i = 0; i < kTilePixels; ++i) {
       const std::size_t pixel = tile * kTilePixels + i;
-      if ((rasteriser_.closed()[tile - first_tile_] >> i & 1U) != 0 && nearness > nearness_[pixel]) owners_[pixel] = id;
+      if ((rasteriser_.closed()[tile - first_tile_] >> i & 1U) == 0 || nearness <= owned_[pixel]) continue;
+      owners_[pixel] = id;
+      owned_[pixel] = nearness;
     }
   }
 }
@@ -212,9 +207,9 @@ CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
              : Gap::not_behind;
 }
 
-std::uint32_t CoverBuffer::owner(int first_tile, int x, int y) const {
-  const std::size_t tile = static_cast<std::size_t>(first_tile + y / kTile * tiles_across_ + x / kTile);
-  return owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
+std::size_t CoverBuffer::pixel_number(int first_tile, int x, int y) const {
+  const auto tile = static_cast<std::size_t>(first_tile + y / kTile * tiles_across_ + x / kTile);
+  return tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile);
 }
 
 CoverBuffer::Footprint CoverBuffer::hidden_at(const kernel::Aabb& box) const {
@@ -237,13 +232,17 @@ CoverBuffer::Footprint CoverBuffer::within(const Footprint& whole, const kernel:
   return part;
 }
 
-/// Finds windows of a footprint.
+/// Finds windows of a footprint in which a box is hidden. A pixel whose owner is too far is closed through the nearer layer.
 class CoverBuffer::WindowFinder {
  public:
   WindowFinder(const CoverBuffer& buffer, const Footprint& at) : buffer_(buffer), at_(at) {
     const PixelRectangle& r = at.pixels;
     for (int y = r.y0; y < r.y1; ++y) {
-      for (int x = r.x0; x < r.x1; ++x) owners_.push_back(buffer.owner(at.first_tile, x, y));
+      for (int x = r.x0; x < r.x1; ++x) {
+        const std::size_t pixel = buffer.pixel_number(at.first_tile, x, y);
+        const bool is_owned = buffer.owned_[pixel] > at.most;
+        pixels_.push_back({is_owned ? buffer.owners_[pixel] : kNone, false});
+      }
     }
   }
 
@@ -254,9 +253,16 @@ class CoverBuffer::WindowFinder {
   }
 
  private:
-  [[nodiscard]] std::uint32_t& owner(int x, int y) {
+  struct Pixel {
+    std::uint32_t sheet;  ///< kNone: it is closed through the nearer layer
+    bool is_found;        ///< in a window
+
+    friend bool operator==(const Pixel&, const Pixel&) = default;
+  };
+
+  [[nodiscard]] Pixel& pixel(int x, int y) {
     const PixelRectangle& r = at_.pixels;
-    return owners_[static_cast<std::size_t>((y - r.y0) * (r.x1 - r.x0) + x - r.x0)];
+    return pixels_[static_cast<std::size_t>((y - r.y0) * (r.x1 - r.x0) + x - r.x0)];
   }
 
   /// Of the pixels that are closed through the nearer layer, as few rectangles as halving finds that are closed as a whole.
@@ -264,15 +270,15 @@ class CoverBuffer::WindowFinder {
     PixelRectangle r{within.x1, within.y1, within.x0, within.y0};
     for (int y = within.y0; y < within.y1; ++y) {
       for (int x = within.x0; x < within.x1; ++x) {
-        if (owner(x, y) == Window::kNearerLayer) r = {std::min(r.x0, x), std::min(r.y0, y), std::max(r.x1, x + 1), y + 1};
+        if (pixel(x, y).sheet == kNone) r = {std::min(r.x0, x), std::min(r.y0, y), std::max(r.x1, x + 1), y + 1};
       }
     }
     if (r.x0 >= r.x1) return;
-    const Window window{r, Window::kNearerLayer};
+    const Window window{r, kNone};
     const bool is_pixel = r.x1 - r.x0 == 1 && r.y1 - r.y0 == 1;  // and so closed
     if (is_pixel || buffer_.hides(buffer_.through(at_, window))) {
       for (int y = r.y0; y < r.y1; ++y) {
-        for (int x = r.x0; x < r.x1; ++x) owner(x, y) = kNone;
+        for (int x = r.x0; x < r.x1; ++x) pixel(x, y).is_found = true;
       }
       return windows_.push_back(window);
     }
@@ -291,9 +297,9 @@ class CoverBuffer::WindowFinder {
     const PixelRectangle& r = at_.pixels;
     for (int y = r.y0; y < r.y1; ++y) {
       for (int x = r.x0, end = x; x < r.x1; x = end) {
-        const std::uint32_t sheet = owner(x, y);
-        while (end < r.x1 && owner(end, y) == sheet) ++end;
-        if (sheet != kNone) add({{x, y, end, y + 1}, sheet});
+        const Pixel first = pixel(x, y);
+        while (end < r.x1 && pixel(end, y) == first) ++end;
+        if (!first.is_found) add({{x, y, end, y + 1}, first.sheet});
       }
     }
   }
@@ -309,7 +315,7 @@ class CoverBuffer::WindowFinder {
 
   const CoverBuffer& buffer_;
   const Footprint& at_;
-  std::vector<std::uint32_t> owners_;  ///< of the pixels, row by row; kNone if they are in a window
+  std::vector<Pixel> pixels_;  ///< row by row
   std::vector<Window> windows_;
 };
 
@@ -333,7 +339,7 @@ std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) con
   for (int y = r.y0; y < r.y1; ++y) {
     std::uint32_t last = kNone;
     for (int x = r.x0; x < r.x1; ++x) {
-      const std::uint32_t id = owner(0, x, y);
+      const std::uint32_t id = owners_[pixel_number(0, x, y)];
       const PixelBounds pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
                               {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
       const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else only the margin reaches it

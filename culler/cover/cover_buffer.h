@@ -112,12 +112,10 @@ class CoverBuffer {
   };
   /// Pixels of a layer that are closed by one sheet, or through the next nearer layer.
   struct Window {
-    static constexpr std::uint32_t kNearerLayer = kNone - 1;
-
     PixelRectangle pixels;
-    std::uint32_t sheet;  ///< or kNearerLayer
+    std::uint32_t sheet;  ///< kNone: through the nearer layer
 
-    [[nodiscard]] bool is_of_nearer_layer() const { return sheet == kNearerLayer; }
+    [[nodiscard]] bool is_of_nearer_layer() const { return sheet == kNone; }
   };
   struct Windows {
     double focus;  ///< of the layer
@@ -154,7 +152,6 @@ class CoverBuffer {
   void add_layer(std::uint32_t id);
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void note_nearest(std::size_t first, std::size_t count);
-  void join_layer(std::size_t layer);
   void own(std::size_t first, std::size_t count, std::uint32_t id);
   [[nodiscard]] TilePicture tile_picture() const {
     return {nearness_.data(), farthest_.data(), tiles_across_, picture_.height() / kTile};
@@ -163,7 +160,7 @@ class CoverBuffer {
   class WindowFinder;
 
   [[nodiscard]] ProjectedBoxes seen(const kernel::Aabb& box) const;
-  [[nodiscard]] std::uint32_t owner(int first_tile, int x, int y) const;
+  [[nodiscard]] std::size_t pixel_number(int first_tile, int x, int y) const;
   [[nodiscard]] std::size_t layer_of(const Footprint& box) const {
     return static_cast<std::size_t>(box.first_tile / boxes_.tiles_of_layer);
   }
@@ -180,6 +177,7 @@ class CoverBuffer {
   std::vector<float> farthest_;        ///< of each tile, the least nearness of its pixels
   std::vector<float> nearest_;         ///< the same, the most; empty in a picture of one eye
   std::vector<std::uint32_t> owners_;  ///< ids, or numbers of sheets, in the order of nearness_; empty unless they are kept
+  std::vector<float> owned_;           ///< how near the owners are: less than nearness_ where join_layers() found more
   std::vector<DrawnSheet> sheets_;     ///< of several eyes, as owners_
 };
 

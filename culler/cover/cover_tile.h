@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "cover/conservative_viewport.h"
@@ -16,6 +17,9 @@ namespace occlude::culler {
 /// bit 8 y + x.
 inline constexpr int kTileBits = 3, kTile = 1 << kTileBits;
 inline constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
+
+/// How near an open pixel is closed.
+inline constexpr float kOpen = -std::numeric_limits<float>::infinity();
 
 /// The nearness of pixels, stored by tiles.
 struct TilePicture {

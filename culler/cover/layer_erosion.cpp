@@ -20,8 +20,6 @@
 namespace occlude::culler {
 namespace {
 
-constexpr float kOpen = -std::numeric_limits<float>::infinity();
-
 constexpr std::size_t kMostReach = LayerErosion::Reach::kMost;
 
 /// A tile is left as it is if none of its pixels would come nearer by more than this share. The same sheet is found a little

@@ -73,9 +73,11 @@ class CoverReplay {
     const auto name = [&](std::uint32_t, std::uint32_t p) { witness.polygons.push_back(p); };
     if (!memory_.buffer.is_of_region()) {
       drawn_.visit_before(memory_.buffer, box, name);
-    } else {
+    } else if (is_skewed()) {
       drawn_.visit_windows(memory_.buffer, at, name);
-      if (!is_skewed()) name_windows(at, witness);
+    } else {
+      name_windows(at, witness);
+      append_polygons(witness, witness.polygons);
     }
     std::ranges::sort(witness.polygons);
     witness.polygons.erase(std::unique(witness.polygons.begin(), witness.polygons.end()), witness.polygons.end());
@@ -114,6 +116,14 @@ class CoverReplay {
       } else {
         drawn_.name(memory_.buffer, of, window);
       }
+    }
+  }
+
+  static void append_polygons(const CoverLayer& layer, std::vector<std::uint32_t>& polygons) {
+    for (const CoverWindow& window : layer.windows) {
+      append_polygons(window, polygons);
+      polygons.insert(polygons.end(), window.polygons.begin(), window.polygons.end());
+      for (const FanTriangle& triangle : window.triangles) polygons.push_back(triangle.polygon);
     }
   }
 

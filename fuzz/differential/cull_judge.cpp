@@ -168,25 +168,25 @@ class CullJudge {
     return std::visit([](const auto& camera) -> const culler::EyeRegion& { return camera.eyes; }, camera_);
   }
 
-  oracle::Sheet sheet_of(const culler::CoverWindow& window) const {
+  oracle::Sheet sheet_of(const culler::CoverWindow& window, const oracle::HalfSpaceCoefficients& drawn) const {
     std::vector<oracle::Loop> sheet = loops(window.polygons);
     for (const auto& [p, corner] : window.triangles) {
       const oracle::Loop loop = to_oracle(polygon(hierarchy_.soup().loop(p)));
       sheet.push_back({loop[0], loop[corner], loop[corner + 1]});
     }
-    return oracle::Sheet(sheet, proof::drawn_of_sheets(camera_, model_));
+    return oracle::Sheet(sheet, drawn);
   }
 
-  oracle::Layer layer_of(const culler::CoverLayer& layer) const {
+  oracle::Layer layer_of(const culler::CoverLayer& layer, const oracle::HalfSpaceCoefficients& drawn) const {
     const auto point = [](const dvec3& v) { return oracle::Point{v.x, v.y, v.z}; };
     const auto& [at, normal, right] = layer.focus;
     oracle::Layer asked{{point(at), point(normal), point(right)}, {}};
     for (const culler::CoverWindow& w : layer.windows) {
       oracle::Window& window = asked.windows.emplace_back(oracle::Window{w.x0, w.y0, w.x1, w.y1, oracle::Layer{}});
       if (w.windows.empty()) {
-        window.to = sheet_of(w);
+        window.to = sheet_of(w, drawn);
       } else {
-        window.to = layer_of(w);
+        window.to = layer_of(w, drawn);
       }
     }
     return asked;
@@ -194,7 +194,8 @@ class CullJudge {
 
   /// Checks that the box is hidden from all eyes of the region, by windows.
   std::string fault_of_windows(const culler::CoverWitness& witness) const {
-    return oracle::judge({*proof::eyes_of(camera_), to_oracle(witness.box), layer_of(witness)}).reason;
+    const oracle::Layer layer = layer_of(witness, proof::drawn_of_sheets(camera_, model_));
+    return oracle::judge({*proof::eyes_of(camera_), to_oracle(witness.box), layer}).reason;
   }
 
   /// The eye, or the direction. Of several eyes, the one in the middle, and corners of a box or those of a ball that are

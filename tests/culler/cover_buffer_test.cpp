@@ -48,14 +48,15 @@ struct Mesh {
   }
 };
 
-void add(CoverBuffer& buffer, const std::vector<glm::dvec3>& vertices, const std::vector<Triangle>& triangles) {
+void add(CoverBuffer& buffer, const std::vector<glm::dvec3>& vertices, const std::vector<Triangle>& triangles,
+         std::uint32_t id = 0) {
   PolygonSoup soup;
   soup.vertices = vertices;
   for (const Triangle& triangle : triangles) soup.add_polygon(triangle);
   const CoverTriangles all = CoverTriangles::find(soup);
   CoverGroup group;
   for (std::uint32_t p = 0; p < soup.size(); ++p) group.add(all, p);
-  if (!group.is_empty()) buffer.add(group.mesh(all));
+  if (!group.is_empty()) buffer.add(group.mesh(all), id);
 }
 
 /// Asks the buffer, and the kernel for the exact answer.
@@ -216,6 +217,41 @@ TEST(CoverBuffer, LayersTakeOverWhatNearerOnesClose) {
   buffer.join_layers();
   EXPECT_TRUE(buffer.hides(behind));
   EXPECT_FALSE(buffer.hides(before));
+}
+
+/// The same before a third wall, which closes the seam, too, but behind the box.
+TEST(CoverBuffer, WindowsNameNothingThatIsBehind) {
+  constexpr std::uint32_t kBehind = 1, kBefore = 2;
+  Camera camera = looking_along_x();
+  camera.eyes = EyeRegion::ball(0.3);
+  CoverBuffer buffer;
+  buffer.begin(FrameView(camera, 400), kWidth, kHeight, 0);
+  buffer.keep_owners();
+  const auto add_wall = [&](double x, double from, double to, std::uint32_t id) {
+    add(buffer, {{x, from, -200}, {x, to, -200}, {x, to, 200}, {x, from, 200}}, {{0, 1, 2}, {0, 2, 3}}, id);
+  };
+  const kernel::Aabb box = cube({30, 0, 0}, 1);
+  add_wall(60, -200, 200, kBehind);
+  add_wall(5, -20, 0.2, kBefore);
+  add_wall(5.05, -0.2, 20, kBefore);
+  buffer.join_layers();
+  ASSERT_TRUE(buffer.hides(box));
+  const CoverBuffer::Footprint at = buffer.hidden_at(box);
+  std::size_t sheets = 0, nearer = 0;
+  const auto visit = [&](const CoverBuffer::Footprint& footprint, const auto& again) -> void {
+    for (const CoverBuffer::Window& window : buffer.windows(footprint).windows) {
+      if (window.is_of_nearer_layer()) {
+        ++nearer;
+        again(buffer.through(footprint, window), again);
+        continue;
+      }
+      ++sheets;
+      EXPECT_EQ(buffer.sheet(window.sheet).id, kBefore);
+    }
+  };
+  visit(at, visit);
+  EXPECT_GT(sheets, 0U);
+  EXPECT_GT(nearer, 0U);
 }
 
 TEST(CoverBuffer, TheMarginIsKept) {
