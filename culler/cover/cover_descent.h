@@ -16,6 +16,7 @@
 #include "cover/cover_buffer.h"
 #include "cover/projected_boxes.h"
 #include "descent/block_descent.h"
+#include "descent/view_descent.h"
 #include "model/block_tree.h"
 #include "model/hierarchy_blocks.h"
 #include "occlude/culler/cull_result.h"
@@ -39,6 +40,12 @@ struct TestedBlock {
   }
 };
 
+/// What is known above a block.
+struct NodeState {
+  std::uint32_t straddled_planes;  ///< a bit for each plane that may cross the node
+  bool is_few;                     ///< whether it has few items, or is below a node that has
+};
+
 /// What nodes say, unless they say otherwise: all take part, where they are, and nothing is to be done beside them.
 struct StandingNodes {
   static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
@@ -57,6 +64,9 @@ struct StandingNodes {
 ///  - decide(tested, i): called for each node that is left, when its turn comes. Returns whether to go below it, which is
 ///    false for a leaf;
 ///  - is_few(items): whether what is below a node of these items can be visited in any order;
+///  - spend(work) and leave(block, straddled_planes), of nodes that have a budget: whether so many nodes may be asked; if
+///  not,
+///    leave() is called, and the descent does not visit the block;
 ///  - join(): called after each leaf and each subtree of few items, unless it is below such a subtree.
 template <class Nodes>
 class CoverDescent {
@@ -72,19 +82,14 @@ class CoverDescent {
     if (is_few) nodes_.join();
   }
 
- private:
-  using Bits = kernel::BoxBits;
-  using Tested = TestedBlock<decltype(std::declval<const Nodes&>().boxes(std::declval<const TreeBlock&>()))>;
+  /// For ways down the tree.
+  using State = NodeState;
 
-  friend class BlockDescent<CoverDescent>;
-  struct State {
-    std::uint32_t straddled_planes;  ///< a bit for each plane that may cross the node
-    bool is_few;                     ///< whether it has few items, or is below a node that has
-  };
-
-  /// For the descent.
   template <class Enter>
   void visit(const TreeBlock& block, const State& above, const Enter& enter) {
+    if constexpr (requires { nodes_.leave(block, 0U); }) {
+      if (!nodes_.spend(kernel::count(block.used))) return nodes_.leave(block, above.straddled_planes);
+    }
     const Tested tested = test(block, above.straddled_planes);
     if (above.is_few) {
       visit_in_any_order(tested, enter);
@@ -92,6 +97,10 @@ class CoverDescent {
       visit_in_order(tested, enter);
     }
   }
+
+ private:
+  using Bits = kernel::BoxBits;
+  using Tested = TestedBlock<decltype(std::declval<const Nodes&>().boxes(std::declval<const TreeBlock&>()))>;
 
   /// Nearest first.
   template <class Enter>
@@ -132,27 +141,23 @@ class CoverDescent {
     tested.seen.project(buffer_.box_picture(), tested.boxes);
     tested.groups = stats_.cover_groups;
     stats_.cover_tests += kernel::count(tested.left);
-    cull(tested, buffer_.hidden(tested.seen, tested.left), {0, Culled::By::cover});
+    const Bits hidden = buffer_.hidden(tested.seen, tested.left);
+    cull(tested, hidden, {0, Culled::By::cover});
+    tested.left = static_cast<Bits>(tested.left & ~hidden);
     return tested;
   }
 
   /// Culls the nodes that are out of view.
   void keep_in_view(Tested& tested, std::uint32_t straddled_planes) {
     stats_.view_tests += kernel::count(tested.left) * static_cast<std::size_t>(std::popcount(straddled_planes));
-    kernel::BoxBytes asked = 0;
-    for_each_bit(straddled_planes, [&](std::uint32_t plane) { asked |= kernel::BoxBytes{tested.left} << 8 * plane; });
-    const kernel::BlockRelations relations = nodes_.relations(tested.block, tested.boxes, asked);
-    for_each_bit(straddled_planes, [&](std::uint32_t plane) {
-      cull(tested, static_cast<Bits>(kernel::boxes_of(relations.outside, plane) & tested.left),
-           {0, Culled::By::view, plane});
-      for_each_bit(kernel::boxes_of(relations.inside, plane),
-                   [&](std::uint32_t i) { tested.straddled_planes[i] &= ~(std::uint32_t{1} << plane); });
-    });
+    culler::keep_in_view(
+        tested.left, tested.straddled_planes, straddled_planes,
+        [&](kernel::BoxBytes asked) { return nodes_.relations(tested.block, tested.boxes, asked); },
+        [&](Bits nodes, const Culled& culled) { cull(tested, nodes, culled); });
   }
 
-  void cull(Tested& tested, Bits nodes, const Culled& culled) {
+  void cull(const Tested& tested, Bits nodes, const Culled& culled) {
     for_each_bit(nodes, [&](std::uint32_t i) { nodes_.cull(tested.block, i, culled); });
-    tested.left = static_cast<Bits>(tested.left & ~nodes);
   }
 
   const BlockTree tree_;

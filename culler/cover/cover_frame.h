@@ -11,8 +11,10 @@
 
 #include "base/radix_sort.h"
 #include "cover/cover_buffer.h"
+#include "cover/cover_descent.h"
 #include "cover/projected_boxes.h"
 #include "descent/frame.h"
+#include "descent/largest_first.h"
 #include "model/append_range.h"
 #include "model/block_tree.h"
 #include "occlude/culler/cull_result.h"
@@ -24,6 +26,7 @@ struct SeenLeaf {
   std::uint32_t node;
   ItemRange items;
   CoverBuffer::Footprint footprint;
+  bool is_taken;  ///< whether its polygons were taken to be drawn into the picture
 };
 
 /// The leaves of a frame, and room to sort them. It is kept so that only the first frame allocates.
@@ -31,6 +34,7 @@ struct CoverLeaves {
   std::vector<SeenLeaf> seen;  ///< those that are not culled so far
   std::vector<ItemRange> drawn, drawn_room;
   std::vector<Culled> culled_room;
+  LargestFirst<NodeState> put_off;
 };
 
 class CoverFrame {
@@ -41,13 +45,29 @@ class CoverFrame {
     const std::size_t most = frame.result.culled.capacity();  // one for each leaf at most
     memory.seen.clear();
     memory.seen.reserve(most);
+    memory.drawn.clear();
     memory.drawn.reserve(most);
     memory.drawn_room.reserve(most);
     memory.culled_room.reserve(most);
+    memory.put_off.begin(tree);
   }
 
   /// Notes that a leaf is seen. finish() asks again, because what is drawn later may still hide it.
   void see(const SeenLeaf& leaf) { memory_.seen.push_back(leaf); }
+  [[nodiscard]] std::span<const SeenLeaf> seen() const { return memory_.seen; }
+  /// Notes that a block is to be visited when no more is drawn.
+  void put_off(const TreeBlock& block, const NodeState& state) { memory_.put_off.push(block, state); }
+  /// Visits the blocks that were put off, and those below them.
+  template <class Tests>
+  void visit_put_off(const BlockTree& tree, Tests& tests) {
+    memory_.put_off.visit(tree, tests);
+  }
+  /// Draws a leaf that is not hidden, or a subtree that was not asked.
+  void keep(const ItemRange& items) { memory_.drawn.push_back(items); }
+  void draw_unasked(const ItemRange& items) {
+    result_.stats.unasked_polygons += items.count;
+    keep(items);
+  }
 
   /// Culls a node of so many items.
   void cull(const Culled& culled, std::size_t items) {
@@ -61,7 +81,6 @@ class CoverFrame {
   template <class Cull>
   void finish(const Cull& cull) {
     const std::span<const SeenLeaf> seen = memory_.seen;
-    memory_.drawn.clear();
     for (std::size_t first = 0; first < seen.size(); first += BoxPixels::kMost) {
       finish(seen.subspan(first, std::min(BoxPixels::kMost, seen.size() - first)), cull);
     }

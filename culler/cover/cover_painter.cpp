@@ -2,7 +2,6 @@
 #include "cover/cover_painter.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "cover/worth_drawing.h"
 
@@ -25,12 +24,14 @@ constexpr std::size_t kFirstJoin = 1536;
 
 CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory,
                            CullStats& stats)
-    : options_(options), memory_(memory), stats_(stats), next_join_(kFirstJoin) {
+    : memory_(memory), stats_(stats), next_join_(kFirstJoin) {
+  const CullBudget::Clock::time_point start = CullBudget::Clock::now();
   memory.buffer.begin(view, side(options.width), side(options.height), margin);
   memory.buffer.reserve(kRoom);
   memory.group.reserve(kRoom);
   memory.taken.clear();
   memory.taken.reserve(kRoom);
+  budget_ = CullBudget(options, start);
 }
 
 void CoverPainter::use(const CoverSource& source) {
@@ -42,24 +43,22 @@ void CoverPainter::use(const CoverSource& source) {
   memory_.stamps.grow(source.triangles.size());
 }
 
-bool CoverPainter::may_draw() const {
-  if (memory_.buffer.is_spent() || stats_.cover_triangles >= options_.triangles) return false;
-  if (options_.ms == std::numeric_limits<double>::infinity()) return true;
-  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start_;
-  return taken.count() < options_.ms;
-}
-
 void CoverPainter::enqueue(const ItemRange& leaf, float nearness) {
   memory_.taken.push_back({leaf, nearness});
   source_->triangles.prefetch_first(leaf.first);
 }
 
-/// Leaves what is not worth drawing. Each pass asks memory for what the next one reads.
-void CoverPainter::drop_small() {
+/// Leaves what is not worth drawing. Returns how many triangles the rest has. Each pass asks memory for what the next one
+/// reads.
+std::size_t CoverPainter::drop_small() {
   const CoverTriangles& triangles = source_->triangles;
   for (const auto& [leaf, nearness] : memory_.taken) triangles.prefetch_corners(leaf.first, leaf.first + leaf.count);
   for (const auto& [leaf, nearness] : memory_.taken) triangles.prefetch_vertices(leaf.first, leaf.first + leaf.count);
   std::erase_if(memory_.taken, [&](const CoverMemory::Taken& taken) { return !is_worth_drawing(taken.polygons); });
+  std::size_t left = 0;
+  for (const auto& [leaf, nearness] : memory_.taken)
+    left += triangles.first(leaf.first + leaf.count) - triangles.first(leaf.first);
+  return left;
 }
 
 bool CoverPainter::is_worth_drawing(const ItemRange& leaf) const {
@@ -76,9 +75,10 @@ bool CoverPainter::is_worth_drawing(const ItemRange& leaf) const {
 }
 
 bool CoverPainter::flush_group() {
-  drop_small();
   if (memory_.taken.empty()) return false;
-  if (!may_draw()) {
+  const std::size_t own = may_draw() ? drop_small() : 0;
+  if (memory_.taken.empty()) return false;
+  if (own == 0 || !budget_.spend(CoverOptions::kWorkOfTriangle * own)) {
     ++stats_.cover_groups_left;
     memory_.taken.clear();
     return false;
@@ -97,6 +97,7 @@ bool CoverPainter::flush_group() {
   for (const std::uint32_t triangle : group.ids()) memory_.stamps[triangle] = memory_.stamp;
   ++stats_.cover_groups;
   stats_.cover_triangles += group.ids().size();
+  budget_.add(CoverOptions::kWorkOfTriangle * (group.ids().size() - own));
   memory_.buffer.add(group.mesh(source_->triangles, source_->instance), ++groups_);
   if (stats_.cover_triangles >= next_join_) {
     memory_.buffer.join_layers();

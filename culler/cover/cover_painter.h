@@ -2,7 +2,6 @@
 // Draws what is seen into the coarse picture of a frame, a few leaves at a time.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,6 +11,7 @@
 #include "cover/cover_buffer.h"
 #include "cover/cover_group.h"
 #include "cover/cover_triangles.h"
+#include "cover/cull_budget.h"
 #include "model/block_tree.h"
 #include "occlude/culler/cull_result.h"
 
@@ -38,7 +38,8 @@ struct CoverMemory {
 
 class CoverPainter {
  public:
-  /// Empties the picture. REQUIRES: `view` reaches as far as all that is tested or hides; what is given outlives this.
+  /// Empties the picture, and begins the budget. REQUIRES: `view` reaches as far as all that is tested or hides; what is
+  /// given outlives this.
   CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory, CullStats& stats);
 
   /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is enqueued.
@@ -47,26 +48,31 @@ class CoverPainter {
   void enqueue(const ItemRange& leaf, float nearness);
   /// Draws the kept polygons into the coarse picture, but for leaves that are too small in it to be worth drawing. With them
   /// it draws the triangles of the source that were drawn before and touch them, so that no seam between them stays open.
-  /// Returns false if none were kept or no more may be drawn. Else the group that was drawn has the number groups().
+  /// Returns false if none were kept or the budget is spent. Else the group that was drawn has the number groups().
   bool flush_group();
-  /// Ends drawing: layers take over what nearer ones have closed.
-  void finish() { memory_.buffer.join_layers(); }
+  /// Ends drawing: layers take over what nearer ones have closed. What is left of the budget is for asking.
+  void finish() {
+    memory_.buffer.join_layers();
+    stats_.cover_work = budget_.work();
+    budget_.begin_asking();
+  }
+  /// Of the frame.
+  [[nodiscard]] CullBudget& budget() { return budget_; }
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
   /// Those of the source.
   [[nodiscard]] const CoverTriangles& triangles() const { return source_->triangles; }
   /// Whether more may be drawn.
-  [[nodiscard]] bool may_draw() const;
+  [[nodiscard]] bool may_draw() const { return !memory_.buffer.is_spent() && !budget_.is_spent(); }
 
  private:
-  void drop_small();
+  [[nodiscard]] std::size_t drop_small();
   [[nodiscard]] bool is_worth_drawing(const ItemRange& leaf) const;
   bool take_drawn(std::uint32_t triangle);
 
   const CoverSource* source_ = nullptr;
-  CoverOptions options_;
   CoverMemory& memory_;
   CullStats& stats_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  CullBudget budget_;
   std::uint32_t groups_ = 0;
   std::size_t next_join_;  ///< when so many triangles are drawn
 };

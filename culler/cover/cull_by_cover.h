@@ -11,6 +11,7 @@
 #include "cover/opening.h"
 #include "cover/worth_drawing.h"
 #include "descent/frame.h"
+#include "descent/view_descent.h"
 #include "descent/volumes.h"
 #include "model/hierarchy_blocks.h"
 #include "occlude/culler/cull_result.h"
@@ -25,13 +26,12 @@ struct Unwatched {
   static void culled(const Culled&) {}
 };
 
-/// The nodes of a model, for a descent of its tree.
+/// The nodes of a model that may be hidden, for a descent of its tree.
 template <class Watch>
 class ModelNodes : public StandingNodes {
  public:
-  ModelNodes(const Volumes& volumes, const CoverBuffer& buffer, CoverPainter& painter, CoverFrame& found, CullStats& stats,
-             Watch& watch)
-      : volumes_(volumes), buffer_(buffer), painter_(painter), found_(found), stats_(stats), watch_(watch) {}
+  ModelNodes(const Volumes& volumes, CullBudget& budget, CoverFrame& found, Watch& watch)
+      : volumes_(volumes), budget_(budget), found_(found), watch_(watch) {}
 
   [[nodiscard]] kernel::BlockRelations relations(const TreeBlock& block, const kernel::BoxBlock&,
                                                  kernel::BoxBytes asked) const {
@@ -47,32 +47,92 @@ class ModelNodes : public StandingNodes {
     found_.cull(culled, items);
   }
 
+  bool spend(std::size_t work) { return budget_.spend(work); }
+
+ protected:
+  const Volumes& volumes_;
+  CullBudget& budget_;
+  CoverFrame& found_;
+  Watch& watch_;
+};
+
+/// What is seen of them closes pixels.
+template <class Watch>
+class ClosingModelNodes : public ModelNodes<Watch> {
+ public:
+  ClosingModelNodes(const ModelNodes<Watch>& nodes, const CoverBuffer& buffer, CoverPainter& painter, CullStats& stats)
+      : ModelNodes<Watch>(nodes), buffer_(buffer), painter_(painter), stats_(stats) {}
+
+  void leave(const TreeBlock& block, std::uint32_t straddled_planes) { found_.put_off(block, {straddled_planes, true}); }
+
   template <class Boxes>
   bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
     const bool is_leaf = tested.block.is_leaf(i);
     if (!is_leaf && tested.groups == stats_.cover_groups) return true;  // nothing was drawn since it was tested
-    const int worth = worth_closing(kWorthOfLeaf, stats_.cover_triangles);
+    const int worth = worth_closing(std::max(kWorthOfLeaf, budget_.worth()), stats_.cover_triangles);
     const Opening opening(buffer_, tested, i, stats_.cover_groups, is_leaf ? worth : 1);
     if (opening.is_hidden()) {
-      cull(tested.block, i, {0, Culled::By::cover});
+      this->cull(tested.block, i, {0, Culled::By::cover});
       return false;
     }
     if (!is_leaf) return true;
-    found_.see({tested.block.node[i], tested.block.items(i), opening.footprint});
-    if (opening.open >= worth) painter_.enqueue(tested.block.items(i), opening.footprint.most);
+    const bool is_worth = opening.open >= worth;
+    found_.see({tested.block.node[i], tested.block.items(i), opening.footprint, is_worth});
+    budget_.reserve(1);
+    if (is_worth) painter_.enqueue(tested.block.items(i), opening.footprint.most);
     return false;
+  }
+  /// Draws what was not worth it as long as larger leaves might have needed the budget.
+  void draw_small() {
+    if (budget_.worth() <= kWorthOfLeaf) return;
+    std::uint32_t items = 0;
+    for (const SeenLeaf& leaf : found_.seen()) {
+      if (leaf.is_taken || !budget_.spend(1)) continue;
+      const int worth = worth_closing(kWorthOfLeaf, stats_.cover_triangles);
+      if (buffer_.open(leaf.footprint, worth) < worth) continue;
+      painter_.enqueue(leaf.items, leaf.footprint.most);
+      items += leaf.items.count;
+      if (items > kFewItems) {
+        join();
+        items = 0;
+      }
+    }
+    join();
   }
   void join() {
     if (painter_.flush_group()) watch_.joined(painter_);
   }
 
  private:
-  const Volumes& volumes_;
+  using ModelNodes<Watch>::budget_, ModelNodes<Watch>::found_, ModelNodes<Watch>::watch_;
+
   const CoverBuffer& buffer_;
   CoverPainter& painter_;
-  CoverFrame& found_;
   CullStats& stats_;
-  Watch& watch_;
+};
+
+/// What was left when no more was drawn.
+template <class Watch>
+class LeftModelNodes : public ModelNodes<Watch> {
+ public:
+  LeftModelNodes(const ModelNodes<Watch>& nodes, const BlockTree& tree) : ModelNodes<Watch>(nodes), tree_(tree) {}
+
+  void leave(const TreeBlock& block, std::uint32_t straddled_planes) {
+    const auto cull = [&](const TreeBlock& of, std::uint32_t i, const Culled& culled) { this->cull(of, i, culled); };
+    const auto draw = [&](const ItemRange& items) { found_.draw_unasked(items); };
+    ViewDescent(tree_, volumes_, cull, draw).visit(block, straddled_planes);
+  }
+  template <class Boxes>
+  bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
+    if (!tested.block.is_leaf(i)) return true;
+    found_.keep(tested.block.items(i));
+    return false;
+  }
+
+ private:
+  using ModelNodes<Watch>::volumes_, ModelNodes<Watch>::found_;
+
+  const BlockTree& tree_;
 };
 
 /// What is seen of the model hides the rest. REQUIRES: the frame has begun.
@@ -87,9 +147,14 @@ void cull_by_cover(const Hierarchy& hierarchy, const BlockTree& tree, const Cove
 
   const Volumes volumes(hierarchy, frame.view_planes(options.arithmetic));
   CoverFrame found(tree, memory.buffer, frame, leaves);
-  ModelNodes nodes(volumes, memory.buffer, painter, found, frame.result.stats, watch);
+  ClosingModelNodes nodes(ModelNodes(volumes, painter.budget(), found, watch), memory.buffer, painter, frame.result.stats);
   CoverDescent(tree, memory.buffer, frame.result.stats, nodes).run(volumes.view().all());
+  nodes.draw_small();
   painter.finish();
+  LeftModelNodes left(nodes, tree);
+  CoverDescent asking(tree, memory.buffer, frame.result.stats, left);
+  found.visit_put_off(tree, asking);
+  frame.result.stats.cover_work = painter.budget().work();
   found.finish([&](const Culled& culled, std::size_t items) { nodes.cull(culled, items); });
 }
 

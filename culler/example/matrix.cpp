@@ -37,11 +37,8 @@ int main() {
       add_square(soup, {column - 14.75, row + 12.25, 0}, {0.5, 0, 0}, {0, 0.5, 0});
     }
   }
-  BuildConfig config;
-  config.hierarchy.leaf_size = leaf_size_for(Method::cover);
-  const Culler culler(soup, config);
-  CullOptions options;
-  options.method = Method::cover;
+  const Culler culler(soup);
+  const CullOptions options;
 
   // One cull for both eyes: what either of them sees is drawn.
   MatrixCamera both = MatrixCamera::from_columns(head(0, 0, 2, 0.1F).data(), ClipDepth::zero_to_w);

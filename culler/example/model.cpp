@@ -58,8 +58,8 @@ int main() {
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     soup.add_polygon(std::array{mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
   }
-  const Culler culler(soup);       // throws std::invalid_argument, with the place, where the soup is not legal
-  culler.prepare(Method::frusta);  // otherwise the first frame does
+  const Culler culler(soup);  // throws std::invalid_argument, with the place, where the soup is not legal
+  culler.prepare();           // otherwise the first frame does
 
   // The triangles by material, those of each in the order of the culler's tree. Upload this index buffer instead of your
   // own.

@@ -38,16 +38,13 @@ constexpr double kMargin = margin_for(1080);
 
 void cull_model(const PolygonSoup& model) {
   // Once, when the model is loaded.
-  BuildConfig config;
-  config.hierarchy.leaf_size = leaf_size_for(Method::cover);
-  const Culler culler(model, config);
-  culler.prepare(Method::cover);
+  const Culler culler(model);
+  culler.prepare();  // otherwise the first frame does
 
   // Once for each camera.
   View view;
   Camera camera;
   CullOptions options;
-  options.method = Method::cover;
   options.margin = kMargin;
 
   for (int frame = 0; frame < 5; ++frame) {

@@ -72,7 +72,7 @@ const HierarchyBlocks& Culler::blocks(const Checkpoint& checkpoint) const {
 BlockTree Culler::tree() const { return blocks().tree(); }
 
 void Culler::prepare(Method method, const Checkpoint& checkpoint) const {
-  if (method == Method::cover) {
+  if (is_by_cover(method)) {
     static_cast<void>(triangles(checkpoint));
   } else {
     static_cast<void>(occluders(checkpoint));
@@ -93,11 +93,16 @@ template <class AnyCamera>
 const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const {
   require_sound(camera);
   View::Memory& memory = memory_for(view, occluders_);
-  if (options.method == Method::cover) {
+  if (is_by_cover(options.method)) {
     const CoverTriangles& triangles = this->triangles();
     const BlockTree tree = this->tree();
     begin_frame(hierarchy_, camera, options, memory);
-    cull_by_cover(hierarchy_, tree, triangles, options, memory.frame, memory.cover, memory.leaves);
+    CullOptions limited = options;
+    const bool is_automatic = options.method == Method::automatic;
+    if (is_automatic) limited.cover.work = std::min(limited.cover.work, memory.worth.work());
+    cull_by_cover(hierarchy_, tree, triangles, limited, memory.frame, memory.cover, memory.leaves);
+    const CullStats& stats = memory.frame.result.stats;
+    if (is_automatic) memory.worth.learn(stats.shadow_culled_polygons, stats.drawn_polygons);
   } else {
     // In the order of prepare().
     const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;

@@ -38,11 +38,12 @@ void MissedReasons::find_what_hides(const AnyCamera& camera, const CullOptions& 
     return;
   }
   cover_ = cover_of(culler_, camera, repeated(frame_, options));
-  if (frame_.stats.cover_groups_left == 0) return;
+  if (frame_.stats.cover_groups_left == 0 && frame_.stats.unasked_polygons == 0) return;
   CullOptions unlimited = options;
-  unlimited.cover.triangles = std::numeric_limits<std::size_t>::max();
+  unlimited.cover.work = std::numeric_limits<std::size_t>::max();
   unlimited.cover.ms = std::numeric_limits<double>::infinity();
-  unlimited_ = cover_of(culler_, camera, unlimited);
+  unlimited.cover.as_before = {};
+  unlimited_ = std::make_shared<const CullResult>(culler_.cull(camera, unlimited));
 }
 
 namespace {
@@ -155,20 +156,20 @@ bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) con
          });
 }
 
-Missed MissedReasons::missed_by_cover(const kernel::Aabb& box, Work& work) const {
+Missed MissedReasons::missed_by_cover(std::uint32_t p, const kernel::Aabb& box, Work& work) const {
+  if (unlimited_ && culler_.cull_of(*unlimited_, p) != nullptr) return Missed::over_budget;
   constexpr std::size_t kPlanes = 100;  // a box takes about as much time: it is projected, and some tiles are read
   work.take(kPlanes);
   const CoverBuffer::Gap gap = cover_->gap(box);
   if (gap == CoverBuffer::Gap::none) return Missed::coarse_node;
   if (gap == CoverBuffer::Gap::beyond_picture) return Missed::beyond_picture;
-  if (unlimited_ && unlimited_->gap(box) == CoverBuffer::Gap::none) return Missed::over_budget;
   return gap == CoverBuffer::Gap::open ? Missed::open_pixel : Missed::not_behind;
 }
 
 MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Meeting& meeting, Work& work) const {
   if (is_out_of_view(p, work)) return {Missed::out_of_view, Culled::kNone};
   const kernel::Aabb box = hierarchy_.soup().box(p);
-  if (cover_) return {missed_by_cover(box, work), Culled::kNone};
+  if (cover_) return {missed_by_cover(p, box, work), Culled::kNone};
   for (const Shadow* shadow : meeting.chosen) {
     if (hides(*shadow, p, work) && hides(*shadow, box, work)) return {Missed::coarse_node, shadow->occluder};
   }

@@ -6,6 +6,7 @@
 
 #include "cover/cover_frame.h"
 #include "cover/cover_painter.h"
+#include "cover/worth_of_hiding.h"
 #include "descent/frame.h"
 #include "frusta/frusta_memory.h"
 #include "occlude/culler/culler.h"
@@ -18,6 +19,7 @@ struct View::Memory {
   FrustaMemory frusta;
   CoverMemory cover;
   CoverLeaves leaves;
+  WorthOfHiding worth;
 };
 
 /// What is kept of the view. Not protected by `const`.

@@ -45,9 +45,9 @@ struct PlacedBoxes {
 template <class BoxesOf, class See, class Join>
 class ClosingNodes : public StandingNodes {
  public:
-  ClosingNodes(const BoxesOf& boxes_of, const ViewPlanes& view, const CoverBuffer& buffer, const CullStats& stats,
-               const See& see, const Join& join)
-      : boxes_of_(boxes_of), view_(view), buffer_(buffer), stats_(stats), see_(see), join_(join) {}
+  ClosingNodes(const BoxesOf& boxes_of, const ViewPlanes& view, const CoverBuffer& buffer, CullBudget& budget,
+               const CullStats& stats, const See& see, const Join& join)
+      : boxes_of_(boxes_of), view_(view), buffer_(buffer), budget_(budget), stats_(stats), see_(see), join_(join) {}
 
   decltype(auto) boxes(const TreeBlock& block) const { return boxes_of_(block); }
   [[nodiscard]] kernel::BlockRelations relations(const TreeBlock&, const kernel::BoxBlock& boxes,
@@ -65,12 +65,16 @@ class ClosingNodes : public StandingNodes {
     see_(tested.block.items(i), tested.straddled_planes[i], opening.footprint.most);
     return false;
   }
+  bool spend(std::size_t work) { return budget_.spend(work); }
+  /// What is not drawn hides nothing.
+  static void leave(const TreeBlock&, std::uint32_t) {}
   void join() { join_(); }
 
  private:
   const BoxesOf& boxes_of_;
   const ViewPlanes& view_;
   const CoverBuffer& buffer_;
+  CullBudget& budget_;
   const CullStats& stats_;
   const See& see_;
   const Join& join_;
@@ -152,7 +156,7 @@ class SceneFrame {
   template <class BoxesOf, class See, class Join>
   void descend(const BlockTree& tree, const BoxesOf& boxes_of, std::uint32_t straddled_planes, const See& see,
                const Join& join) {
-    ClosingNodes nodes(boxes_of, planes_, buffer_, stats_.work, see, join);
+    ClosingNodes nodes(boxes_of, planes_, buffer_, painter_.budget(), stats_.work, see, join);
     CoverDescent(tree, buffer_, stats_.work, nodes).run(straddled_planes);
   }
 
@@ -399,9 +403,12 @@ double reach(const SceneObjects& objects, const SceneOccluders& occluders, const
 void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
                 SceneView::Memory& memory) {
   begin_frame(memory);
-  SceneFrame frame(objects, occluders, options, memory);
+  SceneOptions limited = options;
+  if (options.is_adaptive) limited.cover.work = std::min(limited.cover.work, memory.worth.work());
+  SceneFrame frame(objects, occluders, limited, memory);
   frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
   frame.list_objects();
+  if (options.is_adaptive) memory.worth.learn(memory.result.stats.hidden, memory.result.stats.drawn);
 }
 
 /// Its own picture is for nothing but the sizes of objects, and so as small as pictures are.

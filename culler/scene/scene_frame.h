@@ -12,6 +12,7 @@
 #include "base/work_runner.h"
 #include "camera/frame_view.h"
 #include "cover/cover_painter.h"
+#include "cover/worth_of_hiding.h"
 #include "occlude/culler/scene.h"
 #include "occlude/kernel/half_space.h"
 #include "scene/object_listing.h"
@@ -42,6 +43,7 @@ struct SceneView::Memory {
   std::uint32_t mask = 0;
   float least_size = 0;
   CoverMemory cover;
+  WorthOfHiding worth;
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;
   std::vector<Part> parts;

@@ -323,7 +323,8 @@ std::string fault_of(const culler::Culler& culler, const AnyCamera& camera, cons
   if (std::string fault = judge.fault_of_counts(); !fault.empty()) return fault;
   CullOptions nothing_hides = options;
   nothing_hides.occluders = 0;
-  nothing_hides.cover.triangles = 0;
+  nothing_hides.cover.work = 0;
+  nothing_hides.cover.as_before = {};
   const CullResult without = std::visit([&](const auto& c) { return culler.cull(c, nothing_hides); }, camera);
   if (std::string fault = judge.fault_against(without); !fault.empty()) return fault;
   // `plain` does not promise more than this.

@@ -53,7 +53,7 @@ culler::Objective some_objective(Random& random) {
 }
 
 CullOptions some_options(Random& random) {
-  CullOptions options;
+  CullOptions options{.method = culler::Method::frusta};
   options.occluders = static_cast<std::size_t>(random.integer(0, 12));
   options.probes = std::array<std::size_t, 3>{0, 1, 8}[random.index(3)];
   options.objective = some_objective(random);

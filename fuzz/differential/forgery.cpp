@@ -94,7 +94,7 @@ class Forger {
     for (Camera& camera : cameras_) {
       camera = forged_camera(random, soup());
       shows_.push_back(proof::visible_triangles(soup(), camera));
-      culled_.push_back(culler_.cull(camera, {.margin = 0}));
+      culled_.push_back(culler_.cull(camera, {.method = culler::Method::frusta}));
     }
   }
 

@@ -55,7 +55,7 @@ culler::CullOptions some_cover_options(Random& random) {
   culler::CullOptions options;
   options.method = culler::Method::cover;
   options.cover.width = std::array{64, 128, 256}[random.index(3)];
-  if (random.index(8) == 0) options.cover.triangles = random.index(64);
+  if (random.chance(0.3)) options.cover.work = random.index(random.chance(0.5) ? 64 : 2000);
   options.cover.height = std::array{64, 96, 160}[random.index(3)];
   if (random.chance(0.3)) options.margin = std::array{0x1p-80, 0x1p-20, 0x1p-6}[random.index(3)];
   return options;

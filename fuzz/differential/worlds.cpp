@@ -323,7 +323,7 @@ class WorldJudge {
     SceneOptions options;
     options.cover.width = std::array{64, 128, 256}[random_.index(3)];
     options.cover.height = std::array{64, 96, 160}[random_.index(3)];
-    if (random_.chance(0.1)) options.cover.triangles = random_.index(20);
+    if (random_.chance(0.2)) options.cover.work = random_.index(random_.chance(0.5) ? 64 : 1000);
     if (random_.chance(0.3)) options.margin = std::array{0x1p-80, 0x1p-20, 0x1p-6}[random_.index(3)];
     if (random_.chance(0.3)) options.mask = static_cast<std::uint32_t>(random_.integer(0, 7));
     if (random_.chance(0.2)) options.least_size = static_cast<float>(random_.real(0, 0.3));

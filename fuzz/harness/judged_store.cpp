@@ -15,7 +15,7 @@ using culler::Method;
 
 /// What is wrong with frames by this method: two from each of some places.
 std::string fault_of_frames(const culler::Culler& culler, Method method, fuzz::Random& random) {
-  culler::CullOptions options;
+  culler::CullOptions options{.method = culler::Method::frusta};
   options.method = method;
   for (int place = 0; place < 4; ++place) {
     const culler::Camera camera = fuzz::some_camera(random, culler.hierarchy().soup());

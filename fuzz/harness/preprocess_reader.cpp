@@ -66,7 +66,7 @@ void judge(const culler::Culler& culler) {
   camera.eye = {0, 0.25, 0.5};
   camera.target = {8, 0, 0};
   for (const auto method : {culler::Method::frusta, culler::Method::cover}) {
-    culler::CullOptions options;
+    culler::CullOptions options{.method = culler::Method::frusta};
     options.method = method;
     culler::View view;
     for (int frame = 0; frame < 3; ++frame) {

@@ -75,7 +75,7 @@ culler::BuildConfig config_of(Decoder& decoder) {
 }
 
 culler::CullOptions options_of(Decoder& decoder) {
-  culler::CullOptions options;
+  culler::CullOptions options{.method = culler::Method::frusta};
   options.occluders = decoder.below(12);
   if (decoder.flag()) options.shadow_near = kernel::Near::farthest;
   if (decoder.flag()) options.test = kernel::Test::overlap;

@@ -361,8 +361,7 @@ std::uint64_t key_of(const ValidateArguments& arguments, const render::CameraPat
 void validate(ValidateArguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
-  if (arguments.scene && options.cull.method != culler::Method::cover)
-    refuse("--scene", "a scene is culled by --method cover");
+  if (arguments.scene && !culler::is_by_cover(options.cull.method)) refuse("--scene", "a scene is not culled by frusta");
   const bool is_anew = arguments.witness.empty();
   require_readable_by_all(arguments.witness);
   std::optional<WitnessFile> witnesses;

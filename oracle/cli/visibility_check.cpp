@@ -21,7 +21,8 @@ std::vector<bool> shown(const std::vector<std::uint32_t>& pixels) {
 
 /// For each polygon of the tree, whether it passes view-frustum culling alone.
 std::vector<bool> in_view(const culler::Culler& culler, const culler::Camera& camera) {
-  return culler::polygons_of(culler.cull(camera, {.occluders = 0}).drawn, culler.hierarchy().soup().size());
+  return culler::polygons_of(culler.cull(camera, {.method = culler::Method::frusta, .occluders = 0}).drawn,
+                             culler.hierarchy().soup().size());
 }
 
 /// Adds the counts of a frame. `pixels` is the number of pixels in which each polygon shows.

@@ -34,10 +34,16 @@ Result run(const Subject& subject, const Options& options, const std::vector<std
   result.frames = frames.size();
   if (is_chosen("table2")) {
     render::WalkResult walk = walk_without_files(subject, options.walk);
-    const render::WalkOptions beside = render::options_beside(options.walk);
-    const render::WalkResult other = walk_without_files(subject, beside);
+    const std::vector<render::WalkOptions> beside = render::options_beside(options.walk);
+    std::vector<render::WalkResult> results;
+    std::vector<render::MethodWalk> walks{{&options.walk, &walk}};
+    results.reserve(beside.size());  // walks refer to them
+    for (const render::WalkOptions& other : beside) {
+      results.push_back(walk_without_files(subject, other));
+      walks.push_back({&other, &results.back()});
+    }
     result.table2 = summarise(walk, options.walk, subject.name);
-    result.table2->methods = render::methods_of({{&options.walk, &walk}, {&beside, &other}}, options.walk.render);
+    result.table2->methods = render::methods_of(walks, options.walk.render);
     result.walked = std::move(walk.frames);
   }
   if (is_chosen("figure4")) result.figure4 = measure_figure4(subject, options);

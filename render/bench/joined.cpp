@@ -16,14 +16,14 @@ namespace {
 /// Each has about twice as many pixels as the one before, around the default, in the ratio 16:9.
 constexpr std::array<int, 5> kWidths{256, 384, 512, 768, 1024};
 constexpr std::array<std::uint32_t, 5> kLeaves{1, 2, 4, 8, 16};
-constexpr std::array<std::size_t, 6> kBudgets{1000, 2000, 4000, 8000, 16000, 32000};
+constexpr std::array kBudgets{0.25, 0.5, 1.0, 2.0, 4.0};
 /// The values of the parameters that are not varied.
 constexpr int kWidth = 512;
 constexpr std::uint32_t kLeaf = culler::leaf_size_for(culler::Method::cover);
-constexpr std::size_t kBudget = std::numeric_limits<std::size_t>::max();
+constexpr double kBudget = std::numeric_limits<double>::infinity();
 
-JoinedPoint point_at(int width, std::uint32_t leaf, std::size_t triangles) {
-  return {width, width * 9 / 16, leaf, triangles, 0, 0, 0};
+JoinedPoint point_at(int width, std::uint32_t leaf, double budget_ms) {
+  return {width, width * 9 / 16, leaf, budget_ms, 0, 0, 0};
 }
 
 /// A point and its timings, one number per round.
@@ -39,7 +39,7 @@ void run(JoinedTrial& trial, const Subject& subject, const Options& options) {
   walk.cull.method = culler::Method::cover;
   walk.cull.cover.width = trial.point.width;
   walk.cull.cover.height = trial.point.height;
-  walk.cull.cover.triangles = trial.point.triangles;
+  walk.cull.cover.ms = trial.point.budget_ms;
   const culler::Culler culler = make_culler(subject.soup, walk);
   const Pass pass = pass_along(culler, subject.path, walk, walk.cull);
   trial.cull_ms.push_back(pass.cull_ms);
@@ -58,7 +58,7 @@ Joined measure_joined(const Subject& subject, const Options& options) {
   };
   for (const int width : kWidths) add(&Joined::pictures, point_at(width, kLeaf, kBudget));
   for (const std::uint32_t leaf : kLeaves) add(&Joined::leaves, point_at(kWidth, leaf, kBudget));
-  for (const std::size_t triangles : kBudgets) add(&Joined::budgets, point_at(kWidth, kLeaf, triangles));
+  for (const double ms : kBudgets) add(&Joined::budgets, point_at(kWidth, kLeaf, ms));
 
   run_in_rounds("joined shadows", options.repetitions, trials, [&](JoinedTrial& trial) { run(trial, subject, options); });
   Joined joined;

@@ -14,7 +14,7 @@ namespace occlude::experiments {
 struct JoinedPoint {
   int width, height;        ///< of the coarse picture, pixels
   std::uint32_t leaf;       ///< most polygons in a leaf
-  std::size_t triangles;    ///< per frame, roughly: CoverOptions::triangles
+  double budget_ms;         ///< CoverOptions::ms
   double culled_share = 0;  ///< of the polygons in view
   double drawn = 0;         ///< polygons per frame
   double cull_ms = 0;       ///< per frame; median over the rounds of the mean over the frames

@@ -80,14 +80,14 @@ std::string joined_figures(const render::Axis& along, const std::vector<double>&
 std::string joined_section(const Joined& joined) {
   const auto widths = values(joined.pictures, [](const JoinedPoint& p) { return p.width; });
   const auto leaves = values(joined.leaves, [](const JoinedPoint& p) { return p.leaf; });
-  const auto budgets = values(joined.budgets, [](const JoinedPoint& p) { return p.triangles; });
+  const auto budgets = values(joined.budgets, [](const JoinedPoint& p) { return p.budget_ms; });
   const Table by_picture = pictures_table(joined), by_leaf = leaves_table(joined), by_budget = budgets_table(joined);
   return section(by_picture.title,
                  joined_figures({"pixels across", Scale::logarithmic}, widths, joined.pictures) + html_of(by_picture)) +
          section(by_leaf.title,
                  joined_figures({"polygons a leaf", Scale::logarithmic}, leaves, joined.leaves) + html_of(by_leaf)) +
          section(by_budget.title,
-                 joined_figures({"triangles", Scale::logarithmic}, budgets, joined.budgets) + html_of(by_budget));
+                 joined_figures({"milliseconds", Scale::logarithmic}, budgets, joined.budgets) + html_of(by_budget));
 }
 
 std::string sort_section(const Sorting& sorting) { return section(sort_table(sorting)); }

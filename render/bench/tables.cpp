@@ -47,20 +47,20 @@ Table sweep_table(const std::string& title, const char* regions, const char* thr
 }
 
 /// For people the first three columns are what varies.
-Table joined_table(const std::string& title, const char* size, const char* leaf, const char* triangles,
+Table joined_table(const std::string& title, const char* size, const char* leaf, const char* budget,
                    const std::vector<JoinedPoint>& points) {
   Table table{title,
               {{size, "cover_size"},
                {leaf, "leaf"},
-               {triangles, "cover_triangles"},
+               {budget, "budget_ms"},
                {"culled", "culled_share", percent},
                {"drawn", "drawn"},
                {"cull, ms", "cull_ms", rounded<2>}},
               {}};
   for (const JoinedPoint& p : points) {
-    const bool is_limited = p.triangles < std::numeric_limits<std::size_t>::max();
+    const bool is_limited = p.budget_ms < std::numeric_limits<double>::infinity();
     table.rows.push_back(
-        {{p.width, p.height}, p.leaf, is_limited ? render::Cell(p.triangles) : nullptr, p.culled_share, p.drawn, p.cull_ms});
+        {{p.width, p.height}, p.leaf, is_limited ? render::Cell(p.budget_ms) : nullptr, p.culled_share, p.drawn, p.cull_ms});
   }
   return table;
 }
@@ -127,8 +127,7 @@ Table leaves_table(const Joined& joined) {
 }
 
 Table budgets_table(const Joined& joined) {
-  return joined_table("Joined shadows, triangles drawn into the picture per frame, at most", "", "", "triangles",
-                      joined.budgets);
+  return joined_table("Joined shadows, budget of a frame", "", "", "milliseconds", joined.budgets);
 }
 
 Table threads_table(const std::vector<ThreadsPoint>& points) {

@@ -19,7 +19,7 @@ namespace {
 struct BenchCullerArguments {
   SubjectArguments subject{500'000};
   std::string out, largest = "1e6";
-  WalkArguments walk{"0:300"};
+  WalkArguments walk{"0:300", "640x360", culler::Method::frusta};
   std::vector<std::string> only;
   experiments::Options options;
   bool no_render = false, json = false;

@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
 #include "occlude/render/console.h"
 #include "occlude/render/input_limits.h"
+#include "occlude/render/methods.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_place.h"
 #include "occlude/render/paint.h"
@@ -117,7 +119,7 @@ render::ReadOptions ReadArguments::options() const {
 std::vector<Option> BuildArguments::add_to(Command command) {
   return {choice(command, "--bounds", bounds_, {"aabb", "obb"},
                  "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
-          command.add("--leaf", leaf_, "most polygons in a leaf of the hierarchy (default: 16 for frusta, 4 for cover)")
+          command.add("--leaf", leaf_, "most polygons in a leaf of the hierarchy (default: 4; for frusta 16)")
               .in_range(std::size_t{1}, std::size_t{4096}),
           choice(command, "--shapes", shapes_, {"polytope", "polygon"},
                  "shapes of occluders: closed convex shells and flat polygons, or flat polygons only"),
@@ -147,18 +149,40 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
   return options;
 }
 
+namespace {
+
+culler::Method method_named(const std::string& name) {
+  constexpr std::array kMethods{culler::Method::automatic, culler::Method::frusta, culler::Method::cover};
+  return *std::ranges::find(kMethods, name, render::name_of);
+}
+
+}  // namespace
+
+Option WalkArguments::of_frusta(Option option) {
+  options_of_frusta_.push_back(option);
+  return option;
+}
+
+culler::Method WalkArguments::method() const {
+  if (has_method()) return method_named(method_);
+  const bool is_about_frusta = std::ranges::any_of(options_of_frusta_, &Option::is_given);
+  return is_about_frusta ? culler::Method::frusta : default_method_;
+}
+
 std::vector<Option> WalkArguments::add_common_to(Command command) {
   constexpr std::size_t kMostOccluders = 4096;  // each costs one test at every node that it does not decide
   return {
       add_frames_to(command),
       command
           .add("--method", method_,
-               "frusta: the shadows of a few chosen occluders; cover: the joined shadows of all visible polygons, in a "
-               "coarse picture (default: frusta; of walk both, side by side, in detail by frusta; with --hold: cover)")
-          .one_of({"frusta", "cover"}),
-      command.add("--occluders", cull_.occluders, "occluders per frame; 0: view-frustum culling alone")
-          .show_default()
-          .in_range(std::size_t{0}, kMostOccluders),
+               "automatic: cover, as far as it pays; frusta: the shadows of a few chosen occluders, as in the paper; cover: "
+               "the "
+               "joined shadows of all visible polygons, in a coarse picture (default: " +
+                   std::string(render::name_of(default_method_)) + ", or frusta if an option is given that only they have)")
+          .one_of({"automatic", "frusta", "cover"}),
+      of_frusta(command.add("--occluders", cull_.occluders, "occluders per frame; 0: view-frustum culling alone")
+                    .show_default()
+                    .in_range(std::size_t{0}, kMostOccluders)),
   };
 }
 
@@ -168,31 +192,35 @@ std::vector<Option> WalkArguments::add_tuning_to(Command command) {
   constexpr double kLargestMargin = kLargestSide;
   constexpr double kLargestWeight = 16;  // powers of ratios of a thousand stay within the range of double
   const auto weight = [&](const char* name, double& value, const char* text) {
-    return command.add(name, value, text).show_default().in_range(0, kLargestWeight);
+    return of_frusta(command.add(name, value, text).show_default().in_range(0, kLargestWeight));
   };
   culler::Objective& objective = cull_.objective;
   return {
       command.add("--cover-size", cover_size_, "WxH, size of the coarse picture in pixels, each from 64 to 4096")
           .show_default(),
       command
-          .add("--cover-triangles", cull_.cover.triangles,
-               "most triangles per frame, roughly, drawn into the coarse picture (default: all visible ones)")
+          .add("--budget-work", cull_.cover.work,
+               "most work of a cull by cover: boxes asked, and 16 for each triangle drawn into the coarse picture; the same "
+               "on "
+               "every machine (default: no limit)")
           .not_negative(),
       command
           .add("--budget-ms", cull_.cover.ms,
-               "stop drawing into the coarse picture after this many milliseconds of a frame (default: no limit)")
+               "most milliseconds of a cull by cover, about; what is left is drawn unasked (default: no limit)")
           .in_range(0, kLongest),
-      command.add("--probes", cull_.probes, "candidates per frame for which the polygons that they would hide are counted")
-          .show_default()
-          .in_range(std::size_t{0}, kMostProbes),
-      choice(command, "--solid-angle", angle_, {"area", "exact"},
-             "solid angle of an occluder: the area-angle estimate, or exact"),
+      of_frusta(
+          command
+              .add("--probes", cull_.probes, "candidates per frame for which the polygons that they would hide are counted")
+              .show_default()
+              .in_range(std::size_t{0}, kMostProbes)),
+      of_frusta(choice(command, "--solid-angle", angle_, {"area", "exact"},
+                       "solid angle of an occluder: the area-angle estimate, or exact")),
       weight("--weight-solid-angle", objective.solid_angle, "exponent of this criterion in the choice of occluders; 0: off"),
       weight("--weight-depth-complexity", objective.depth_complexity,
              "the same for the depth complexity sampled by a preprocess"),
       weight("--weight-coherence", objective.coherence, "the same for the polygons hidden in the previous frames"),
-      command.add_flag("--unions", cull_.unions,
-                       "also use pairs of occluders that share an edge, for boxes that neither hides alone"),
+      of_frusta(command.add_flag("--unions", cull_.unions,
+                                 "also use pairs of occluders that share an edge, for boxes that neither hides alone")),
       command
           .add("--pixel-margin", pixel_margin_,
                "pixels by which shadows shrink, so that the renderer's rounding cannot show a culled polygon; 0: all "
@@ -204,12 +232,12 @@ std::vector<Option> WalkArguments::add_tuning_to(Command command) {
 
 std::vector<Option> WalkArguments::add_debugging_to(Command command) {
   return {
-      choice(command, "--near", near_, {"surface", "farthest"},
-             "start of a shadow: at the occluder, or at its farthest vertex (as in the paper)"),
+      of_frusta(choice(command, "--near", near_, {"surface", "farthest"},
+                       "start of a shadow: at the occluder, or at its farthest vertex (as in the paper)")),
       choice(command, "--arithmetic", arithmetic_, {"certified", "plain"},
              "exact, or the paper's double arithmetic (for measurements)"),
-      choice(command, "--test", test_, {"conservative", "overlap"},
-             "test against planes only, or decide all three relations"),
+      of_frusta(choice(command, "--test", test_, {"conservative", "overlap"},
+                       "test against planes only, or decide all three relations")),
   };
 }
 
@@ -239,8 +267,7 @@ render::WalkOptions WalkArguments::options() const {
   options.height = size.height;
   options.cull = cull_;
   options.hold = hold_;
-  const bool is_cover = method_.empty() ? hold_ > 0 : method_ == "cover";
-  options.cull.method = is_cover ? culler::Method::cover : culler::Method::frusta;
+  options.cull.method = method();
   const PictureSize cover = parse_size("--cover-size", cover_size_, culler::kLeastCoverSide, culler::kMostCoverSide);
   options.cull.cover.width = cover.width;
   options.cull.cover.height = cover.height;

@@ -37,7 +37,7 @@ class BuildArguments {
   std::vector<Option> add_to(Command command);
 
   /// `method` is the method for which the model is prepared.
-  [[nodiscard]] culler::BuildConfig config(culler::Method method = culler::Method::frusta) const;
+  [[nodiscard]] culler::BuildConfig config(culler::Method method = culler::Method::automatic) const;
 
  private:
   std::uint32_t leaf_ = 0;
@@ -47,9 +47,10 @@ class BuildArguments {
 /// The options of a walk: its frames, pictures and culling.
 class WalkArguments {
  public:
-  /// `frames` and `size` are the defaults of --frames and --size.
-  explicit WalkArguments(std::string frames = "all", std::string size = "640x360")
-      : frames_(std::move(frames)), size_(std::move(size)) {}
+  /// `frames`, `size` and `method` are the defaults of --frames, --size and --method.
+  explicit WalkArguments(std::string frames = "all", std::string size = "640x360",
+                         culler::Method method = culler::Method::automatic)
+      : frames_(std::move(frames)), size_(std::move(size)), default_method_(method) {}
 
   void add_size_to(Command command);
   Option add_frames_to(Command command);
@@ -61,6 +62,8 @@ class WalkArguments {
   /// Call after add_culling_to().
   Option add_model_to(Command command);
 
+  /// Notes that by the other methods the option does nothing: without --method it asks for frusta. Returns the option.
+  Option of_frusta(Option option);
   /// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
   void require_settled(const std::string& model) const;
   /// Whether --method is given.
@@ -69,15 +72,18 @@ class WalkArguments {
   [[nodiscard]] render::WalkOptions options() const;
 
  private:
+  [[nodiscard]] culler::Method method() const;
   std::vector<Option> add_common_to(Command command);
   std::vector<Option> add_tuning_to(Command command);
   std::vector<Option> add_debugging_to(Command command);
 
   std::string frames_, size_;
+  culler::Method default_method_;
   std::string near_ = "surface", method_, cover_size_ = "576x360", arithmetic_ = "certified", test_ = "conservative",
               angle_ = "area", preprocess_;
   ReadArguments read_;
   BuildArguments build_;
+  std::vector<Option> options_of_frusta_;
   std::vector<Option> build_options_;  ///< and those of add_model_to(), once they are added
   double pixel_margin_ = culler::kPixelMargin, hold_ = 0;
   culler::CullOptions cull_;

@@ -53,7 +53,8 @@ bool is_path_of(const std::filesystem::path& folder, const PathArguments& path) 
 /// The culler of the walk beside: of the same model, and by another method prepared for that.
 culler::Culler culler_beside(const culler::Culler& culler, const std::string& model, const render::WalkOptions& walk,
                              const render::WalkOptions& options) {
-  if (options.cull.method == walk.cull.method) return culler;
+  const bool is_of_same = culler::is_by_cover(options.cull.method) == culler::is_by_cover(walk.cull.method);
+  if (is_of_same && options.build.hierarchy.leaf_size == walk.build.hierarchy.leaf_size) return culler;
   return render::is_store(model) ? make_culler(render::ModelFile(model), options)
                                  : make_culler(render::model_of(culler), options);
 }
@@ -89,10 +90,16 @@ void walk(const WalkCommand& arguments, int& exit_code, const std::string& comma
   render::Summary summary = summarise(result, options, name);
   bool has_passed = render::passed(result);
   if (!arguments.walk.has_method()) {
-    const render::WalkOptions beside = render::options_beside(options);
-    const render::WalkResult other = walk_beside(culler_beside(culler, arguments.model, options, beside), path, beside);
-    summary.methods = render::methods_of({{&options, &result}, {&beside, &other}}, options.render);
-    has_passed = has_passed && render::passed(other);
+    const std::vector<render::WalkOptions> beside = render::options_beside(options);
+    std::vector<render::WalkResult> results;
+    std::vector<render::MethodWalk> walks{{&options, &result}};
+    results.reserve(beside.size());  // walks refer to them
+    for (const render::WalkOptions& other : beside) {
+      results.push_back(walk_beside(culler_beside(culler, arguments.model, options, other), path, other));
+      walks.push_back({&other, &results.back()});
+      has_passed = has_passed && render::passed(results.back());
+    }
+    summary.methods = render::methods_of(walks, options.render);
   }
   exit_code = has_passed ? kDone : kCheckFailed;
   files.write(result, summary, path);
@@ -133,8 +140,9 @@ void add_walk(Command app, int& exit_code, const std::string& command_line) {
   command.add_flag("--no-render", a->no_render, "draw nothing: measure culling only");
   add_output(command, "--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
   command.under(kDebugging, [&] {
-    add_output(command, "--cases", a->cases,
-               "write the shadow tests of about 48 frames to this file, as cases for occlude classify and fuzz");
+    a->walk.of_frusta(
+        add_output(command, "--cases", a->cases,
+                   "write the shadow tests of about 48 frames to this file, as cases for occlude classify and fuzz"));
   });
   command.add_flag("--json", a->json, "print summary.json instead of Table 2");
   command.run([a, &exit_code, command_line] { walk(*a, exit_code, command_line); });

@@ -112,10 +112,10 @@ void occlude_lens(bool is_perspective, double fov_y_deg, double height, double n
   camera.up = {up_x, up_y, up_z};
 }
 
-/// Culls the next frame. `triangles` is the cover's budget; infinite: none. `margin` is a share of the picture's height.
+/// Culls the next frame. `budget_ms` may be infinite. `margin` is a share of the picture's height.
 EXPORTED(occlude_cull)
 bool occlude_cull(double eye_x, double eye_y, double eye_z, double target_x, double target_y, double target_z, double aspect,
-                  bool is_cover, std::uint32_t occluders, double triangles, double margin) {
+                  bool is_cover, std::uint32_t occluders, double budget_ms, double margin) {
   return succeeds([&] {
     camera.eye = {eye_x, eye_y, eye_z};
     camera.target = {target_x, target_y, target_z};
@@ -123,8 +123,7 @@ bool occlude_cull(double eye_x, double eye_y, double eye_z, double target_x, dou
     culler::CullOptions options;
     options.method = is_cover ? culler::Method::cover : culler::Method::frusta;
     options.occluders = occluders;
-    constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
-    options.cover.triangles = triangles < static_cast<double>(kMost) ? static_cast<std::size_t>(triangles) : kMost;
+    options.cover.ms = budget_ms;
     options.margin = margin;
     live->culler.cull(camera, options, live->view);
   });
@@ -145,6 +144,7 @@ EXPORTED(occlude_drawn) std::uint32_t occlude_drawn() {
 /// How many polygons are in its view, with what is hidden. What occlusion culling finds first is not asked whether it is in
 /// view, so this needs a frame of its own.
 EXPORTED(occlude_in_view) std::uint32_t occlude_in_view() {
-  const culler::CullResult& frame = live->culler.cull(camera, {.occluders = 0}, live->unculled);
+  const culler::CullResult& frame =
+      live->culler.cull(camera, {.method = culler::Method::frusta, .occluders = 0}, live->unculled);
   return static_cast<std::uint32_t>(frame.stats.drawn_polygons);
 }

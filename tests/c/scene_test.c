@@ -141,7 +141,7 @@ static void options_of_objects_and_occluders(void) {
   CHECK_OK(occlude_view_statistics(view, &statistics));
   CHECK(draws(view, behind) && statistics.cover_triangles == 0);
   frame_options.cover_ms = 0;
-  frame_options.cover_triangles = UINT64_MAX;
+  frame_options.cover_work = UINT64_MAX;
   CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &frame_options, view));
   CHECK(!draws(view, behind));
   frame_options.margin = NAN;

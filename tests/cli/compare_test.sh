@@ -6,7 +6,7 @@ set -uo pipefail
 . "$(dirname "$0")/common.sh"
 walk_of_squares
 sed -i 's/"frames":4/"frames":40/' path.json
-walk() { "$occlude" walk good.ply --path path.json --size 64x36 "$@" >/dev/null || fail "walk $*"; }
+walk() { "$occlude" walk good.ply --path path.json --size 64x36 --method frusta "$@" >/dev/null || fail "walk $*"; }
 walk --out a
 walk --out less --occluders 0
 walk --out some --frames 0:40:4 --no-render

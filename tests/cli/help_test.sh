@@ -75,7 +75,7 @@ completed() { # completed WORDS...: what completes the last word
 [ "$(completed occlude wa)" = walk ] || fail "completion of a command: $(completed occlude wa)"
 [ "$(completed occlude bench k)" = kernel ] || fail "completion of a subcommand: $(completed occlude bench k)"
 [ "$(completed occlude walk --cover-s)" = --cover-size ] || fail "completion of an option"
-[ "$(completed occlude walk --method '')" = "frusta cover" ] || fail "completion of a value: $(completed occlude walk --method '')"
+[ "$(completed occlude walk --method '')" = "automatic frusta cover" ] || fail "completion of a value: $(completed occlude walk --method '')"
 [ "$(completed occlude walk --path '')" = "" ] || fail "files are completed by the shell"
 expect_error "--completion" "$occlude" help --completion fish
 

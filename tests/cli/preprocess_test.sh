@@ -75,7 +75,7 @@ for option in "--leaf 4" "--bounds obb" "--shapes polygon" "--regions tree" "--p
   expect_error "${option%% *}: slanting.pre is a store" "$occlude" walk slanting.pre --path path.json --out out $option
 done
 "$occlude" preprocess slanting.ply --out other.pre --leaf 1 >/dev/null || fail "--leaf 1"
-expect_error "other.pre: its leaves have 1 polygons, those of stored.jsonl have 16: give the model itself" \
+expect_error "other.pre: its leaves have 1 polygons, those of stored.jsonl have 4: give the model itself" \
   "$occlude" validate other.pre --path path.json --witness stored.jsonl
 
 # Inner boxes: two solids and a wall; the boxes are a model themselves, closed.

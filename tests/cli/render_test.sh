@@ -6,7 +6,7 @@ set -uo pipefail
 . "$(dirname "$0")/common.sh"
 walk_of_squares
 
-render() { "$occlude" render good.ply --path path.json --size 64x36 "$@"; }
+render() { "$occlude" render good.ply --path path.json --size 64x36 --method frusta "$@"; }
 
 # Each layer is another picture. A picture holds its name, so all have one. The culled squares are behind the wall, which is
 # not in their layer; the wall is the only occluder and all that is seen.

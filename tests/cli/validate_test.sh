@@ -6,7 +6,7 @@ set -uo pipefail
 . "$(dirname "$0")/common.sh"
 walk_of_squares
 
-"$occlude" walk good.ply --path path.json --out walked --no-render --witness witness.jsonl >/dev/null || fail "walk"
+"$occlude" walk good.ply --path path.json --out walked --no-render --method frusta --witness witness.jsonl >/dev/null || fail "walk"
 total=$(wc -l <witness.jsonl)
 
 # The witnesses of a walk by cover refer to a tree with smaller leaves, and say so.
@@ -28,16 +28,16 @@ sed '1s/"leaf":7/"leaf":-7/' leaves.jsonl >lie.jsonl
 expect_error 'lie.jsonl:1: "leaf"' "$occlude" validate city.ply --path city.json --witness lie.jsonl
 
 # What an engine culls, by its matrix and as a scene, is proved alike.
-for culled in '--matrix' '--matrix --method cover' '--scene --method cover' '--scene --matrix --method cover'; do
+for culled in '--matrix' '--matrix --method frusta' '--scene' '--scene --matrix'; do
   # shellcheck disable=SC2086
   "$occlude" validate city.ply --path city.json --frames 0:40:20 $culled >stdout || fail "validate $culled: $(cat stdout)"
   grep -qE '^([1-9][0-9]+) of \1 witnesses proved' stdout || fail "validate $culled: $(cat stdout)"
   grep -q '^false culls 0, wrong pixels 0 in 2 frames' stdout || fail "validate $culled: $(cat stdout)"
 done
-expect_error '--scene: a scene is culled by --method cover' "$occlude" validate city.ply --path city.json --scene
+expect_error '--scene: a scene is not culled by frusta' "$occlude" validate city.ply --path city.json --scene --method frusta
 
 # False witnesses are found out.
-"$occlude" walk good.ply --path back.json --out aside --no-render --witness aside.jsonl >/dev/null || fail "walk, looking away"
+"$occlude" walk good.ply --path back.json --out aside --no-render --method frusta --witness aside.jsonl >/dev/null || fail "walk, looking away"
 lie() { # lie WHAT SED_SCRIPT [MODEL WITNESSES PATH]
   local model=${3:-good.ply} witnesses=${4:-witness.jsonl} path=${5:-path.json}
   sed "$2" "$witnesses" >lie.jsonl
@@ -105,7 +105,7 @@ for i in $(seq 2 59); do
 done
 ply block.ply 240 64 "$vertices$faces"
 block='"vertices":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1],[3,-1,-1],[3,1,-1],[3,1,1],[3,-1,1]],"faces":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[3,2,6,7],[0,3,7,4],[1,2,6,5]]'
-"$occlude" walk block.ply --path path.json --out blocked --no-render --witness front.jsonl >stdout || fail "walk with a block"
+"$occlude" walk block.ply --path path.json --out blocked --no-render --method frusta --witness front.jsonl >stdout || fail "walk with a block"
 sed 's/"polygon":\[\[2,-1,-1\],\[2,1,-1\],\[2,1,1\],\[2,-1,1\]\]/'"$block"'/
   s/"min":\[47,-1,-1\],"max":\[61,1,1\]/"center":[54,0,0],"half_edges":[[7,0,0],[0,1,1],[0,1,-1]]/
   s/,"margin":[^}]*}/}/' front.jsonl >block.jsonl

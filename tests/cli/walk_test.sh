@@ -76,12 +76,12 @@ done
 [ "$(wc -l <report/frames.csv)" -eq 5 ] || fail "frames.csv has not a line a frame"
 grep -A1 '"missed": {' report/summary.json | grep -q '"frames": 4' || fail "summary.json does not say why polygons were missed"
 grep -q '^good.ply: 64 polygons; 63 x 2 x 2 units, +z taken as up$' stdout || fail "walk does not say what it read: $(cat stdout)"
-for method in 'view frustum alone' 'shadow frusta' 'joined shadows'; do
+for method in 'view frustum alone' automatic 'shadow frusta' 'joined shadows'; do
   grep -q "^$method  *[0-9]" stdout || fail "no $method in the table: $(cat stdout)"
   grep -q "<td>$method</td>" report/report.html || fail "no $method in the page"
   grep -q "\"method\": \"$method\"" report/summary.json || fail "no $method in the summary"
 done
-grep -q '"by":"shadow"' witness.jsonl || fail "no witness of a shadow cull"
+grep -q '"by":"cover"' witness.jsonl || fail "no witness of a cull by cover"
 "$occlude" validate good.ply --path path.json --witness witness.jsonl >stdout || fail "validate"
 total=$(wc -l <witness.jsonl)
 grep -q "^$total of $total witnesses proved" stdout || fail "validate said: $(cat stdout)"
@@ -155,7 +155,7 @@ grep -q 'false culls 0, wrong pixels 0' stdout || fail "walk deep.ply said: $(ca
 
 # A wall, and a slanting one behind it, in a tree of oriented boxes.
 slanting_wall
-"$occlude" walk slanting.ply --path path.json --out oriented --no-render --bounds obb --witness oriented.jsonl >/dev/null ||
+"$occlude" walk slanting.ply --path path.json --out oriented --no-render --method frusta --bounds obb --witness oriented.jsonl >/dev/null ||
   fail "walk --bounds obb"
 grep -q '"box":{"center":' oriented.jsonl || fail "walk --bounds obb: no oriented box was culled"
 grep -q '"bounds": "obb"' oriented/summary.json || fail "walk --bounds obb: not in the summary"
@@ -221,7 +221,7 @@ for method in cover frusta; do
   "$occlude" render good.ply --path path.json --size 64x36 $held --frame 2 --out held.png >/dev/null && [ -s held.png ] || fail "render --hold"
 done
 "$occlude" walk good.ply --path path.json --out held --size 64x36 --hold 0.5 >stdout || fail "walk --hold"
-for method in 'joined shadows, held' 'joined shadows'; do
+for method in 'automatic, held' 'automatic'; do
   grep -q "^$method  *[0-9]" stdout || fail "walk --hold has no $method in the table: $(cat stdout)"
 done
 "$occlude" walk good.ply --path parallel.json --out held --size 64x36 --hold 0.5 --witness parallel.jsonl >stdout || fail "parallel rays, held: $(cat stdout)"

@@ -8,11 +8,11 @@ walk_of_squares
 
 # The wall at x = 2 hides what is behind it. Everything in the leaf of the wall itself is drawn.
 why() { "$occlude" why good.ply --path path.json --size 64x36 "$@"; }
-why --frame 3 --polygon 40 >stdout || fail "why"
+why --method frusta --frame 3 --polygon 40 >stdout || fail "why"
 grep -q '^frame 3, polygon 40: culled: in shadow$' stdout || fail "why said: $(cat stdout)"
 grep -q '^  by occluder 0: polygon 0; it hides [1-9][0-9]* polygons in this frame$' stdout || fail "why said: $(cat stdout)"
 grep -q '^  the box is inside its shadow by [0-9.]*, nearest to the side through its edge (2, ' stdout || fail "why said: $(cat stdout)"
-why --frame 0 --polygon 1 >stdout || fail "why"
+why --method frusta --frame 0 --polygon 1 >stdout || fail "why"
 grep -q '^frame 0, polygon 1: drawn$' stdout || fail "why said: $(cat stdout)"
 grep -q "it was not culled: its leaf is too coarse: its own box is hidden" stdout || fail "why said: $(cat stdout)"
 why --frame 0 --pixel 32,18 --json --out why >stdout || fail "why"

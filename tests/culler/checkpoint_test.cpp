@@ -120,7 +120,7 @@ TEST(Checkpoint, IsCalledForWhatTheMethodNeedsAlone) {
     EXPECT_GT(calls, method == Method::cover ? 5U : 50U);
     EXPECT_EQ(calls + (method == Method::cover ? 0 : calls_of_blocks), calls_of(Culler(soup), method));
     EXPECT_EQ(calls_of(culler, method), 0U);
-    CullOptions options;
+    CullOptions options{.method = Method::frusta};
     options.method = method;
     culler.cull(Camera{}, options, view);
     EXPECT_EQ(calls_of(culler, method), 0U);

@@ -51,7 +51,7 @@ TEST(View, StartsAnewWithAnotherCuller) {
   const Culler large(random_town_of_houses(1, 3000), config), small(random_town_of_houses(2, 120), config),
       other(random_town(3, 3000), config);
   for (const Method method : {Method::frusta, Method::cover}) {
-    CullOptions options;
+    CullOptions options{.method = Method::frusta};
     options.method = method;
     View shared;
     for (const Culler* culler : {&large, &small, &other, &large}) {
@@ -72,8 +72,8 @@ TEST(View, GoesOnWithACopy) {
   const Culler copy = culler;  // NOLINT(performance-unnecessary-copy-initialization)
   View both, one;
   for (int i = 0; i < kFrames; ++i) {
-    (i % 2 == 0 ? culler : copy).cull(camera_at(i), {}, both);
-    culler.cull(camera_at(i), {}, one);
+    (i % 2 == 0 ? culler : copy).cull(camera_at(i), {.method = Method::frusta}, both);
+    culler.cull(camera_at(i), {.method = Method::frusta}, one);
     expect_same(both.result(), one.result());
   }
   EXPECT_GT(one.result().stats.sort_kept, 0U);
@@ -82,10 +82,10 @@ TEST(View, GoesOnWithACopy) {
 TEST(View, KeepsItsLastFrameWhenAForeignCameraIsFaulty) {
   const Culler first(random_town(1, 500)), second(random_town(2, 50));
   View view;
-  const CullResult frame = first.cull(camera_at(0), {}, view);
+  const CullResult frame = first.cull(camera_at(0), {.method = Method::frusta}, view);
   Camera faulty = camera_at(0);
   faulty.target = faulty.eye;
-  EXPECT_THROW(second.cull(faulty, {}, view), std::invalid_argument);
+  EXPECT_THROW(second.cull(faulty, {.method = Method::frusta}, view), std::invalid_argument);
   expect_same(view.result(), frame);
 }
 
@@ -96,7 +96,7 @@ TEST(View, NothingInThePictureIsOutOfViewHoweverFar) {
   add_wall(soup, 2, -1, 1, -1, 1);
   const Culler culler(soup);
   for (const Method method : {Method::frusta, Method::cover}) {
-    CullOptions options;
+    CullOptions options{.method = Method::frusta};
     options.method = method;
     View view;
     Camera camera;
@@ -180,11 +180,11 @@ TEST(Rounding, NothingIsCulledUnlessToNearest) {
   const Scene scene;
   View view;
   SceneView scene_view;
-  culler.cull(camera_at(0), {}, view);
+  culler.cull(camera_at(0), {.method = Method::frusta}, view);
   for (const int mode : kOtherRoundings) {
     const WithRounding other(mode);
     for (const Method method : {Method::frusta, Method::cover}) {
-      CullOptions options;
+      CullOptions options{.method = Method::frusta};
       options.method = method;
       EXPECT_THROW(culler.cull(camera_at(1), options, view), std::runtime_error);
     }

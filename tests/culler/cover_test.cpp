@@ -9,12 +9,14 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <span>
 #include <thread>
 #include <vector>
 
+#include "cover/worth_of_hiding.h"
 #include "frames.h"
 #include "model/bounds.h"
 #include "model/hierarchy_blocks.h"
@@ -126,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CoverFrames, testing::Range(1, 7));
 #endif
 
 /// A folded wall of panels, none of which hides much alone, and small walls behind it.
-PolygonSoup panels(std::size_t across) {
+PolygonSoup panels(std::size_t across, int walls = 200) {
   PolygonSoup soup;
   const double step = 10.0 / static_cast<double>(across);
   const auto corner = [&](std::size_t i, std::size_t k) {
@@ -138,14 +140,14 @@ PolygonSoup panels(std::size_t across) {
       add(soup, {corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)});
     }
   }
-  for (int i = 0; i < 200; ++i) add_wall(soup, 20 + i * 0.01, -1, 1, -1, 1);
+  for (int i = 0; i < walls; ++i) add_wall(soup, 20 + i * 0.01, -1, 1, -1, 1);
   return soup;
 }
 
 TEST(CoverFrame, PanelsHideTogetherWhatNoneHidesAlone) {
   const PolygonSoup soup = panels(40);
   const Culler culler = culler_of(soup);
-  EXPECT_LT(look(culler, {.occluders = 64}).stats.shadow_culled_polygons, 200U);
+  EXPECT_LT(look(culler, {.method = Method::frusta, .occluders = 64}).stats.shadow_culled_polygons, 200U);
   EXPECT_EQ(look(culler, kCover).stats.shadow_culled_polygons, 200U);
 }
 
@@ -282,49 +284,138 @@ TEST(CoverFrame, HasNoPast) {
 }
 
 /// Fewer triangles hide less. What they hide is still proved, whether triangles or time have run out.
+/// How many polygons the witnesses of a frame are about.
+std::size_t proved(const Culler& culler, const CullResult& frame, const Camera& camera, const CullOptions& options) {
+  std::vector<CoverWitness> witnesses;
+  culler.append_covers(frame, camera, options, 1024, witnesses);
+  std::size_t proved = 0;
+  for (const CoverWitness& witness : witnesses) proved += witness.range.count;
+  return proved;
+}
+
+std::size_t culled(const CullResult& frame) { return frame.stats.shadow_culled_polygons; }
+std::size_t total(const CoverWork& work) { return work.drawing + work.asking; }
+
 TEST(CoverFrame, ABudgetIsKept) {
   const Culler culler = culler_of(panels(40));
   Camera camera;
   camera.target = {1, 0, 0};
-  const auto culled = [](const CullResult& frame) { return frame.stats.shadow_culled_polygons; };
   const CullResult whole = culler.cull(camera, kCover);
+  EXPECT_EQ(whole.stats.unasked_polygons, 0U);
+  EXPECT_GE(whole.stats.cover_work.drawing,
+            CoverOptions::kWorkOfTriangle * whole.stats.cover_triangles + whole.stats.cover_tests / 2);
+  EXPECT_EQ(whole.stats.cover_work.asking, 0U);
+  const std::size_t all = whole.stats.cover_work.drawing;
   std::size_t last = 0;
-  for (const std::size_t budget : {std::size_t{0}, std::size_t{300}, whole.stats.cover_triangles}) {
+  for (const std::size_t work : {std::size_t{0}, std::size_t{100}, all / 16, all / 8, all / 4, all / 2, 4 * all}) {
+    SCOPED_TRACE(work);
     CullOptions options = kCover;
-    options.cover.triangles = budget;
+    options.cover.work = work;
     const CullResult frame = culler.cull(camera, options);
     expect_whole(culler, frame);
-    EXPECT_LE(frame.stats.cover_triangles, budget + 2000);
+    // What is drawn again with a group is counted after it, and the leaves that are asked at the end are not many here.
+    EXPECT_LE(total(frame.stats.cover_work), work + 9 * 512 * CoverOptions::kWorkOfTriangle);
     EXPECT_GE(culled(frame), last);
     last = culled(frame);
-    std::vector<CoverWitness> witnesses;
-    culler.append_covers(frame, camera, options, 1024, witnesses);
-    std::size_t proved = 0;
-    for (const CoverWitness& witness : witnesses) proved += witness.range.count;
-    EXPECT_EQ(proved, culled(frame));
-    const bool is_spent = frame.stats.cover_groups_left > 0;
-    EXPECT_EQ(is_spent, frame.stats.cover_triangles < whole.stats.cover_triangles);
+    EXPECT_EQ(proved(culler, frame, camera, options), culled(frame));
     const MissedReasons reasons(culler, camera, options, frame);
     for (std::uint32_t p = 0; p < culler.hierarchy().soup().size(); ++p) {
       if (!culler.cull_of(whole, p) || culler.cull_of(frame, p)) continue;
+      EXPECT_GT(frame.stats.unasked_polygons + frame.stats.cover_groups_left, 0U);
       EXPECT_EQ(reasons.answer(p).reason, Missed::over_budget);
     }
   }
-  EXPECT_EQ(last, culled(whole));
+  EXPECT_EQ(last, culled(whole)) << "with more than enough, nothing is lost";
   EXPECT_GT(last, 0U);
-  CullOptions hurried = kCover;
-  for (const double budget : {0.0, -1.0, 1e-9}) {
-    hurried.cover.ms = budget;
-    EXPECT_EQ(culled(culler.cull(camera, hurried)), 0U);
+}
+
+TEST(CoverFrame, WithoutABudgetNothingIsAskedOrDrawn) {
+  const Culler culler = culler_of(panels(40));
+  const Camera camera;
+  const CullResult by_view = culler.cull(camera, {.method = Method::frusta, .occluders = 0});
+  CullOptions options = kCover;
+  options.cover.work = 0;
+  for (const double ms :
+       {std::numeric_limits<double>::infinity(), 0.0, -1.0, 1e-9, std::numeric_limits<double>::quiet_NaN()}) {
+    options.cover.ms = ms;
+    const CullResult frame = culler.cull(camera, options);
+    expect_whole(culler, frame);
+    EXPECT_EQ(culled(frame), 0U);
+    EXPECT_EQ(frame.stats.cover_tests, 0U);
+    EXPECT_EQ(frame.stats.unasked_polygons, frame.stats.drawn_polygons);
+    EXPECT_EQ(polygons_of(frame.drawn, 1800), polygons_of(by_view.drawn, 1800));
+    options.cover.work = std::numeric_limits<std::size_t>::max();  // from here on there is no time
   }
-  // However much was in time, the witnesses are about all that was culled, and nothing else.
-  hurried.cover.ms = 0.2;
-  const CullResult frame = culler.cull(camera, hurried);
-  std::vector<CoverWitness> witnesses;
-  culler.append_covers(frame, camera, hurried, 1024, witnesses);
-  std::size_t proved = 0;
-  for (const CoverWitness& witness : witnesses) proved += witness.range.count;
-  EXPECT_EQ(proved, culled(frame));
+}
+
+TEST(CoverFrame, IsRepeatedWhateverTimeItHad) {
+  const Culler culler = culler_of(panels(40));
+  const Camera camera;
+  CullOptions options = kCover;
+  std::size_t cut = 0;
+  for (const double ms : {0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1e6}) {
+    SCOPED_TRACE(ms);
+    options.cover.ms = ms;
+    const CullResult frame = culler.cull(camera, options);
+    EXPECT_EQ(proved(culler, frame, camera, options), culled(frame));
+    const CullResult again = culler.cull(camera, repeated(frame, options));
+    EXPECT_EQ(again.stats.cover_work, frame.stats.cover_work);
+    EXPECT_EQ(again.stats.cover_triangles, frame.stats.cover_triangles);
+    EXPECT_EQ(again.stats.unasked_polygons, frame.stats.unasked_polygons);
+    EXPECT_TRUE(std::ranges::equal(again.culled, frame.culled, {}, &Culled::node, &Culled::node));
+    cut += frame.stats.unasked_polygons > 0 ? 1 : 0;
+  }
+  EXPECT_GT(cut, 0U);
+}
+
+TEST(Automatic, LooksLessWhereLittleIsHiddenAndTriesAgain) {
+  const Culler culler = culler_of(panels(100, 5000));
+  Camera hides, shows;  // a third of what is in view, from the front; nothing, from behind
+  shows.eye = {200, 0, 0};
+  shows.target = {0, 0, 0};
+  const CullOptions options;
+  ASSERT_EQ(options.method, Method::automatic);
+  const CullResult whole = culler.cull(hides, {.method = Method::cover});
+  const std::size_t hidden = culled(whole);
+  ASSERT_GT(3 * hidden, whole.stats.drawn_polygons);
+  View view;
+  for (int i = 0; i < 40; ++i) EXPECT_EQ(culled(culler.cull(hides, options, view)), hidden);
+  const CullOptions nothing_hides{.method = Method::frusta, .occluders = 0};
+  ASSERT_LT(4 * culled(culler.cull(shows, {.method = Method::cover})),
+            culler.cull(shows, nothing_hides).stats.drawn_polygons);
+  for (int i = 0; i < 40; ++i) culler.cull(shows, options, view);
+  const std::size_t less = total(culler.cull(hides, options, view).stats.cover_work);
+  EXPECT_LT(16 * less, total(whole.stats.cover_work));
+  EXPECT_LT(2 * culled(view.result()), hidden);
+  std::size_t frames = 0;
+  while (culled(culler.cull(hides, options, view)) < hidden && frames < 1000) ++frames;
+  EXPECT_LE(frames, 32U + 64U + 128U + 256U);
+  EXPECT_EQ(culler.cull(hides, options).stats.cover_work, whole.stats.cover_work) << "a frame without a view has no past";
+}
+
+TEST(WorthOfHiding, IsThatOfAQuarter) {
+  WorthOfHiding worth;
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  const auto after = [&](std::size_t frames, std::size_t hidden, std::size_t drawn) {
+    for (std::size_t i = 0; i < frames; ++i) worth.learn(hidden, drawn);
+    return worth.work();
+  };
+  EXPECT_EQ(worth.work(), kAll);
+  EXPECT_EQ(after(1000, 26, 74), kAll);
+  EXPECT_LT(after(1000, 24, 76), kAll);
+  // Tries come later and later, and with more and more work.
+  worth = {};
+  std::vector<std::size_t> tries;
+  const std::size_t least = after(22, 0, 1);
+  for (std::size_t i = 0; i < 32 + 64 + 128 + 256 + 256; ++i) {
+    if (worth.work() != least) tries.push_back(i);
+    worth.learn(24, 76);
+  }
+  EXPECT_EQ(tries, (std::vector<std::size_t>{31, 95, 223, 479, 735}));
+  EXPECT_EQ(after(1, 25, 75), kAll) << "as soon as it pays";
+  EXPECT_EQ(after(15, 0, 1), kAll) << "a few frames change nothing";
+  EXPECT_LT(after(30, 0, 1), kAll);
+  EXPECT_EQ(after(1, 0, 0), kAll) << "nothing is in view";
 }
 
 TEST(CoverFrame, IsTheSameForEveryInstructionSet) {
@@ -375,7 +466,7 @@ TEST(CoverFrame, ViewsAnswerByIt) {
   EXPECT_EQ(ask(9, 0, 0.5), Visibility::visible);
   EXPECT_EQ(ask(-9, 0, 0.5), Visibility::out_of_view);
   EXPECT_EQ(ask(1e9, 0, 1), Visibility::visible) << "farther than the culler knows by how much places are out";
-  culler.cull(Camera{}, {.occluders = 0}, view);
+  culler.cull(Camera{}, {.method = Method::frusta, .occluders = 0}, view);
   EXPECT_EQ(ask(15, 0, 1), Visibility::visible) << "another frame, by the other method";
 }
 

@@ -61,7 +61,7 @@ TEST(Culler, DrawsWhatBruteForceDraws) {
   std::size_t culled = 0;
   for (int i = 0; i < 200; ++i) {
     const Camera camera = random_camera(random);
-    CullOptions options;
+    CullOptions options{.method = Method::frusta};
     options.shadow_near = i % 2 ? kernel::Near::surface : kernel::Near::farthest;
     options.test = i % 3 ? kernel::Test::conservative : kernel::Test::overlap;
     const CullResult frame = culler.cull(camera, options);
@@ -81,9 +81,9 @@ TEST(Culler, BothTestsCullTheSame) {
   std::mt19937 random(9);
   for (int i = 0; i < 50; ++i) {
     const Camera camera = random_camera(random);
-    CullOptions overlap;
+    CullOptions overlap{.method = Method::frusta};
     overlap.test = kernel::Test::overlap;
-    EXPECT_EQ(culler.cull(camera, {}).drawn, culler.cull(camera, overlap).drawn);
+    EXPECT_EQ(culler.cull(camera, {.method = Method::frusta}).drawn, culler.cull(camera, overlap).drawn);
   }
 }
 
@@ -122,7 +122,7 @@ TEST(Culler, HidesWhatIsBehindAWallAndNothingElse) {
   add_wall(soup, 1, -0.1, 0.1, -0.1, 0.1);                    // 3, before it
   add_wall(soup, -4, -1, 1, -1, 1);                           // 4, behind the eye
   const Culler culler = one_polygon_leaves(soup);
-  CullOptions only_the_wall;
+  CullOptions only_the_wall{.method = Method::frusta};
   only_the_wall.occluders = 1;
   const CullResult frame = look(culler, only_the_wall);
   ASSERT_EQ(frame.occluders.size(), 1U);
@@ -143,7 +143,7 @@ TEST(Culler, ParallelRaysHideWhatIsBehindAWallAndNotWhatIsBefore) {
   Camera camera;
   camera.projection = Projection::orthographic;
   camera.height = 10;
-  CullOptions only_the_wall;
+  CullOptions only_the_wall{.method = Method::frusta};
   only_the_wall.occluders = 1;
   const CullResult frame = culler.cull(camera, only_the_wall);
   EXPECT_TRUE(is_drawn(culler, frame, 0));
@@ -165,7 +165,7 @@ TEST(Culler, ParallelRaysHideThoughTheyAreTurnedByNextToNothing) {
     ASSERT_EQ(fault(camera), "");
     EXPECT_EQ(camera.viewpoint().value, to_kernel(camera.axes().forward));
     EXPECT_EQ(kernel::check(camera.viewpoint()), kernel::Refusal::none);
-    EXPECT_FALSE(is_drawn(culler, culler.cull(camera), 1)) << turned;
+    EXPECT_FALSE(is_drawn(culler, culler.cull(camera, {.method = Method::frusta}), 1)) << turned;
   }
 }
 
@@ -196,7 +196,7 @@ TEST(Culler, SceneFarFromTheOriginIsCulledAlike) {
   Camera camera;
   camera.eye = {o, o, o};
   camera.target = {o + 1, o, o};
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.occluders = 1;
   const CullResult frame = culler.cull(camera, options);
   EXPECT_TRUE(is_drawn(culler, frame, 0));
@@ -218,7 +218,7 @@ TEST(Culler, AnOccluderInAnothersShadowIsNotChosen) {
 
 TEST(Culler, ZeroOccludersIsViewFrustumCulling) {
   const Culler culler(random_town(5, 1000));
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.occluders = 0;
   const CullResult frame = look(culler, options);
   EXPECT_EQ(frame.stats.shadow_tests, 0U);
@@ -336,7 +336,8 @@ TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
     Camera camera;
     change(camera);
     const std::string reason = fault(camera);
-    EXPECT_EQ(refusal([&] { static_cast<void>(culler.cull(camera)); }), reason.empty() ? "" : "camera: " + reason);
+    EXPECT_EQ(refusal([&] { static_cast<void>(culler.cull(camera, {.method = Method::frusta})); }),
+              reason.empty() ? "" : "camera: " + reason);
     return reason;
   };
   EXPECT_EQ(fault_with([](Camera&) {}), "");
@@ -384,8 +385,11 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
 /// The choice of each frame depends on what was counted in those before.
 TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
   const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
-  for (const CullOptions& options : {CullOptions{}, CullOptions{.occluders = 0}, CullOptions{.occluders = 3, .probes = 0},
-                                     CullOptions{.shadow_near = kernel::Near::farthest}, CullOptions{.unions = true}}) {
+  for (const CullOptions& options :
+       {CullOptions{.method = Method::frusta}, CullOptions{.method = Method::frusta, .occluders = 0},
+        CullOptions{.method = Method::frusta, .occluders = 3, .probes = 0},
+        CullOptions{.method = Method::frusta, .shadow_near = kernel::Near::farthest},
+        CullOptions{.method = Method::frusta, .unions = true}}) {
     const Walk expected = walk_on(culler, Executor(), options);
     EXPECT_EQ(expected.deferred, 0U);
     for (const Executor& executor : some_executors()) {
@@ -401,10 +405,10 @@ TEST(Culler, AWalkWithALongListDoesNotDependOnTheExecutor) {
   const Culler culler(random_town_of_houses(11, 12000),
                       {.hierarchy = {.leaf_size = 4}, .lists = {.threshold = 1e-9, .regions = 1}});
   ASSERT_GT(occluders_of(culler).lists().longest(), 8192U);
-  const Walk expected = walk_on(culler, Executor(), {});
+  const Walk expected = walk_on(culler, Executor(), {.method = Method::frusta});
   EXPECT_EQ(expected.divided, 0U);
   for (const Executor& executor : some_executors()) {
-    const Walk walk = walk_on(culler, executor, {});
+    const Walk walk = walk_on(culler, executor, {.method = Method::frusta});
     EXPECT_EQ(walk.found, expected.found) << executor.threads() << " threads";
     EXPECT_EQ(walk.divided >= 60 * 8, executor.threads() > 1) << executor.threads() << " threads";
   }
@@ -421,18 +425,20 @@ TEST(Culler, AFrameWhoseListIsNotScoredDrawsEverything) {
   Camera camera;
   camera.eye = {-45, 0, 2};
   camera.target = {0, 0, 2};
-  EXPECT_THROW(culler.cull(camera, {.executor = &full}, view), std::runtime_error);
+  EXPECT_THROW(culler.cull(camera, {.method = Method::frusta, .executor = &full}, view), std::runtime_error);
   EXPECT_EQ(calls, 1U);
   EXPECT_TRUE(view.result().occluders.empty()) << "it was the list that threw";
   EXPECT_EQ(view.result().drawn, (std::vector<PolygonRange>{culler.hierarchy().soup().all()}));
-  EXPECT_EQ(culler.cull(camera, {}, view).drawn, culler.cull(camera).drawn) << "nothing is left of the frame before";
+  EXPECT_EQ(culler.cull(camera, {.method = Method::frusta}, view).drawn,
+            culler.cull(camera, {.method = Method::frusta}).drawn)
+      << "nothing is left of the frame before";
 }
 
 /// Where little is in view, most of it may be in one of the subtrees that are put off by size.
 TEST(Culler, ASubtreeWithMuchOfTheWorkIsDividedInTheNextFrame) {
   const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
   const Executor executor = Executor::own_threads(2);
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.executor = &executor;
   View view, alone;
   Camera camera;
@@ -441,7 +447,7 @@ TEST(Culler, ASubtreeWithMuchOfTheWorkIsDividedInTheNextFrame) {
   camera.far_plane = 8;
   for (int frame = 0; frame < 3; ++frame) {
     const CullResult& found = culler.cull(camera, options, view);
-    EXPECT_EQ(found.drawn, culler.cull(camera, {}, alone).drawn);
+    EXPECT_EQ(found.drawn, culler.cull(camera, {.method = Method::frusta}, alone).drawn);
     const DeferredSubtrees& deferred = memory_of(view).frusta.parts.deferred;
     std::size_t most = 0;
     for (const DeferredSubtree& subtree : std::span(deferred.subtrees).first(deferred.size)) {
@@ -461,7 +467,7 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
     for (const WorkRunner::WorkItem& turn : memory_of(view).frusta.runner.items()) done += turn.is_done ? 1 : 0;
     ++calls;
   });
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.executor = &upwards;
   Camera camera;
   camera.eye = {-30, 3, 2};
@@ -469,7 +475,7 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   const CullResult& found = culler.cull(camera, options, view);
   EXPECT_EQ(calls, 3U) << "the choice, the probes, the subtrees";
   EXPECT_EQ(done, 0U);
-  EXPECT_EQ(found.drawn, culler.cull(camera).drawn);
+  EXPECT_EQ(found.drawn, culler.cull(camera, {.method = Method::frusta}).drawn);
 }
 
 /// In the choice, while the shadows of probes are made, and in the traversal.
@@ -486,11 +492,13 @@ TEST(Culler, AFrameWhoseExecutorThrowsDrawsEverything) {
       throw std::runtime_error("the queue is full");
     });
     View view;
-    EXPECT_THROW(culler.cull(camera, {.executor = &full}, view), std::runtime_error);
+    EXPECT_THROW(culler.cull(camera, {.method = Method::frusta, .executor = &full}, view), std::runtime_error);
     EXPECT_EQ(view.result().drawn, (std::vector<PolygonRange>{{0, all}}));
     EXPECT_TRUE(view.result().culled.empty());
     EXPECT_EQ(view.result().stats.drawn_polygons, all);
-    EXPECT_EQ(culler.cull(camera, {}, view).drawn, culler.cull(camera).drawn) << "nothing is left of the frame before";
+    EXPECT_EQ(culler.cull(camera, {.method = Method::frusta}, view).drawn,
+              culler.cull(camera, {.method = Method::frusta}).drawn)
+        << "nothing is left of the frame before";
   }
 }
 
@@ -499,9 +507,9 @@ TEST(Culler, VisitsEveryShadowTest) {
   Camera camera;
   camera.eye = {-45, 0, 2};
   camera.target = {0, 0, 2};
-  const CullResult frame = culler.cull(camera, {});
+  const CullResult frame = culler.cull(camera, {.method = Method::frusta});
   const Executor executor(2, [](std::size_t, const Executor::Part&) { FAIL() << "the order is that of the traversal"; });
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.executor = &executor;
   kernel::Operations operations;
   visit_shadow_tests(culler, frame, camera, options, [&](const Occluder& occluder, const Box& box) {
@@ -519,7 +527,7 @@ TEST(Culler, AShellDoesNotHideItself) {
   add_wall(soup, 5, -1, 1, -1, 1);
   for (const auto near : {kernel::Near::surface, kernel::Near::farthest}) {
     const Culler culler = one_polygon_leaves(soup);
-    const CullResult frame = look(culler, {.occluders = 1, .shadow_near = near});
+    const CullResult frame = look(culler, {.method = Method::frusta, .occluders = 1, .shadow_near = near});
     ASSERT_TRUE(occluders_of(culler).is_shell(frame.occluders.at(0).index));
     for (std::uint32_t face = 0; face < 6; ++face) EXPECT_TRUE(is_drawn(culler, frame, face));
     EXPECT_FALSE(is_drawn(culler, frame, 6));
@@ -536,7 +544,7 @@ TEST(Culler, AShellInAPairDoesNotHideItself) {
     soup.add_box({2, -y, -1}, {4, y, 1});
     add(soup, {{2, y, -1}, {1.95, 0, -height}, {1.95, 0, height}, {2, y, 1}, {2, y, 0}});
     const Culler culler = one_polygon_leaves(soup);
-    const CullResult frame = look(culler, {.occluders = 2, .unions = true});
+    const CullResult frame = look(culler, {.method = Method::frusta, .occluders = 2, .unions = true});
     ASSERT_EQ(frame.pairs.size(), 1U);
     EXPECT_EQ(occluders_of(culler).is_shell(frame.occluders.at(frame.pairs[0].second).index), y < 1);
     EXPECT_GT(frame.stats.union_tests, 0U);
@@ -558,7 +566,7 @@ TEST(Culler, TwoHideTogetherWhereAsked) {
   Camera camera;
   camera.target = {1, 0, 0};
   camera.fov_y_deg = 120;
-  CullOptions options{.occluders = 2};
+  CullOptions options{.method = Method::frusta, .occluders = 2};
   const CullResult alone = culler.cull(camera, options);
   EXPECT_EQ(alone.stats.shadow_culled_polygons + alone.stats.union_tests + alone.pairs.size(), 0U);
   options.unions = true;
@@ -579,7 +587,7 @@ TEST(Culler, TwoHideTogetherWhereAsked) {
 /// Of several eyes, and of a matrix whose eye is rounded, two hide no more together, and are not asked.
 TEST(Culler, NoPairsWhereTheEyeIsNotExact) {
   const Culler culler(corner(), {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
-  const CullOptions options{.occluders = 2, .unions = true};
+  const CullOptions options{.method = Method::frusta, .occluders = 2, .unions = true};
   Camera camera;
   camera.eye = {0.1, 0.2, 0.3};
   camera.target = {1, 0, 0};
@@ -604,7 +612,7 @@ TEST(Culler, PairsOfAnEdgeOfManyAreBounded) {
   const Culler culler = one_polygon_leaves(book(500));
   std::size_t occluders = 0;
   for (const std::size_t most : {8U, 64U}) {
-    const CullResult frame = look(culler, {.occluders = most, .unions = true});
+    const CullResult frame = look(culler, {.method = Method::frusta, .occluders = most, .unions = true});
     occluders = frame.occluders.size();
     ASSERT_EQ(occluders, most);
     EXPECT_EQ(frame.pairs.size(), std::min(most * (most - 1) / 2, ShadowPair::kMostOfEach * most));
@@ -620,7 +628,7 @@ TEST(Culler, TheWorkOfPairsIsBounded) {
   constexpr std::size_t kMost = kPairWorkOfEach * 8 / (kPlanesOfATriangle * kPlanesOfATriangle);
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
     const Culler culler(book(4000), {.hierarchy = {.leaf_size = 1, .bounds = bounds}, .lists = {.regions = 1}});
-    EXPECT_EQ(look(culler, {.unions = true}).stats.union_tests, kMost);
+    EXPECT_EQ(look(culler, {.method = Method::frusta, .unions = true}).stats.union_tests, kMost);
   }
 }
 
@@ -642,7 +650,7 @@ TEST(Culler, PartsHideWhereTheirWholeCannot) {
   for (const double nearest : {5.0, 0.5}) {
     const Culler culler(wall_of_two(nearest), {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
     ASSERT_EQ(occluders_of(culler).size(), 4U);
-    const CullResult frame = culler.cull(camera);
+    const CullResult frame = culler.cull(camera, {.method = Method::frusta});
     EXPECT_FALSE(is_drawn(culler, frame, 2)) << "nearest " << nearest;
     ASSERT_EQ(frame.occluders.size(), 1U) << "and nothing that adds nothing";
     EXPECT_EQ(occluders_of(culler).parts(frame.occluders[0].index).size(), nearest < camera.near_plane ? 1U : 2U);
@@ -659,7 +667,7 @@ TEST(Culler, HistoryFindsWhatHides) {
   Camera camera;
   camera.target = {1, 0, 0};
   camera.fov_y_deg = 120;
-  const CullOptions options{.occluders = 3};
+  const CullOptions options{.method = Method::frusta, .occluders = 3};
   EXPECT_EQ(culler.cull(camera, options).stats.shadow_culled_polygons, 0U) << "the pavement looks larger";
   View view;
   std::size_t culled = 0;
@@ -681,7 +689,7 @@ TEST(Culler, NoProbeIsPartOfAnOccluderInUseOrOfAnotherProbe) {
   View view;
   std::size_t probes = 0;
   for (int i = 0; i < 50; ++i) {
-    culler.cull(random_camera(random), {}, view);
+    culler.cull(random_camera(random), {.method = Method::frusta}, view);
     std::vector<std::uint32_t> used;
     for (const Occluder& o : view.result().occluders) used.push_back(o.index);
     for (const Occluder& o : memory_of(view).frusta.probes) used.push_back(o.index);
@@ -692,7 +700,7 @@ TEST(Culler, NoProbeIsPartOfAnOccluderInUseOrOfAnotherProbe) {
         EXPECT_EQ(std::ranges::count(used, p), 0) << "occluder " << probe.index << " is part of " << p;
       }
     }
-    EXPECT_LE(memory_of(view).frusta.probes.size(), CullOptions{}.probes);
+    EXPECT_LE(memory_of(view).frusta.probes.size(), CullOptions{.method = Method::frusta}.probes);
   }
   EXPECT_GT(probes, 200U);
 }

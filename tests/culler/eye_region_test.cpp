@@ -78,7 +78,7 @@ TEST_P(EyeRegionTest, NothingThatAnyEyeSeesIsCulled) {
     camera.eyes = some_region(random, camera);
     ASSERT_EQ(fault(camera), "");
     const Culler culler = culler_of(soup);
-    CullOptions options;
+    CullOptions options{.method = Method::frusta};
     options.method = GetParam();
     const CullResult frame = culler.cull(camera, options);
     const SoupView all = culler.hierarchy().soup();
@@ -110,7 +110,7 @@ TEST(EyeRegion, OfNoExtentCullsAsItsPoint) {
     const Culler culler = culler_of(random_town_of_houses(some_seed(random), 400));
     Camera camera = random_camera(random);
     camera.projection = Projection::perspective;
-    CullOptions options;
+    CullOptions options{.method = Method::frusta};
     options.method = Method::cover;
     of_points += culler.cull(camera, options).stats.shadow_culled_polygons;
     camera.eyes = i % 2 == 0 ? EyeRegion::ball(1e-9) : EyeRegion::box({1e-9, 0, 0}, {0, 1e-9, 0});
@@ -122,7 +122,7 @@ TEST(EyeRegion, OfNoExtentCullsAsItsPoint) {
 /// A larger region draws more: more is in view, and less is hidden.
 TEST(EyeRegion, LargerOnesDrawMore) {
   const Culler culler = culler_of(random_town_of_houses(3, 2000));
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.method = Method::cover;
   std::mt19937 random(seed_of(7));
   std::array<std::size_t, 4> drawn{};
@@ -140,7 +140,7 @@ TEST(EyeRegion, LargerOnesDrawMore) {
 /// Of a small ball, not even the square of the radius is a float.
 TEST(EyeRegion, CullsTheSameOfAnySize) {
   std::mt19937 random(seed_of(9));
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.method = Method::cover;
   std::size_t hidden = 0;
   for (int i = 0; i < 20; ++i) {

@@ -86,7 +86,7 @@ inline bool is_drawn(const Culler& culler, const CullResult& frame, std::uint32_
 }
 
 /// The frame of a camera at the origin that looks along +x.
-inline CullResult look(const Culler& culler, const CullOptions& options = {}) {
+inline CullResult look(const Culler& culler, const CullOptions& options = {.method = Method::frusta}) {
   Camera camera;
   camera.eye = {0, 0, 0};
   camera.target = {1, 0, 0};

@@ -461,7 +461,7 @@ std::vector<bool> drawn_points(const Culler& culler, const CullResult& frame) {
 }
 
 CullOptions options_of(Method method) {
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.method = method;
   options.cover.width = 256;
   options.cover.height = 192;

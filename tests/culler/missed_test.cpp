@@ -43,7 +43,8 @@ MissedReasons::Answer why_drawn_by(const AnyCamera& camera, const Culler& culler
 }
 
 /// The same by a camera and by its matrix, which have the same reasons.
-MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, const CullOptions& options = {}) {
+MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original,
+                                const CullOptions& options = {.method = Method::frusta}) {
   const MissedReasons::Answer answer = why_drawn_by(Camera(), culler, original, options);
   EXPECT_EQ(why_drawn_by(matrix_of(Camera()), culler, original, options), answer);
   return answer;
@@ -55,7 +56,7 @@ TEST(Missed, IsAskedOfEachPolygon) {
   PolygonSoup soup;
   add_wall(soup, 10, -1, 1, -1, 1);
   const Culler culler = with_leaves(soup, 16);
-  const CullResult frame = culler.cull(Camera());
+  const CullResult frame = culler.cull(Camera(), {.method = Method::frusta});
   const MissedReasons reasons(culler, Camera(), {}, frame);
   EXPECT_EQ(refusal([&] { static_cast<void>(reasons.answers({})); }), "0 polygons that show or do not, for a model of 1");
 }
@@ -74,7 +75,7 @@ TEST(Missed, NotByWhatItIsAPartOf) {
   const Culler culler = with_leaves(soup, 16);
   ASSERT_EQ(occluders_of(culler).shells().size(), 1U);
   const Camera camera;
-  const CullResult frame = culler.cull(camera);
+  const CullResult frame = culler.cull(camera, {.method = Method::frusta});
   ASSERT_EQ(frame.occluders.size(), 1U);
   const MissedReasons reasons(culler, camera, {}, frame);
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
@@ -117,10 +118,10 @@ TEST(Missed, BecauseWhatHidesItWasNotChosen) {
   add_wall(soup, 10, -5, 5, -10, 10);
   add_wall(soup, 15, 9, 13, -2, 2);
   add_wall(soup, 20, 13, 16, -1, 1);
-  const auto answer = why_drawn(with_leaves(soup, 1), 2, {.occluders = 1});
+  const auto answer = why_drawn(with_leaves(soup, 1), 2, {.method = Method::frusta, .occluders = 1});
   EXPECT_EQ(answer.reason, Missed::not_chosen);
   EXPECT_NE(answer.occluder, Culled::kNone);
-  EXPECT_EQ(why_drawn(with_leaves(soup, 1), 2, {.occluders = 0}).reason, Missed::not_chosen);
+  EXPECT_EQ(why_drawn(with_leaves(soup, 1), 2, {.method = Method::frusta, .occluders = 0}).reason, Missed::not_chosen);
 }
 
 TEST(Missed, BecauseNoneHidesItAlone) {
@@ -134,8 +135,8 @@ TEST(Missed, OfWhatTheMarginDraws) {
   PolygonSoup soup;
   add_wall(soup, 10, -10, 10, -10, 10);
   add_wall(soup, 20, 18, 19.99, -1, 1);
-  EXPECT_TRUE(is_drawn(with_leaves(soup, 1), look(with_leaves(soup, 1), {.margin = 0.01}), 1));
-  EXPECT_EQ(why_drawn(with_leaves(soup, 1), 1, {.margin = 0.01}).reason, Missed::no_single_one);
+  EXPECT_TRUE(is_drawn(with_leaves(soup, 1), look(with_leaves(soup, 1), {.method = Method::frusta, .margin = 0.01}), 1));
+  EXPECT_EQ(why_drawn(with_leaves(soup, 1), 1, {.method = Method::frusta, .margin = 0.01}).reason, Missed::no_single_one);
 }
 
 /// Walls one behind the other, each wider than the shadow of the one before it by less than a pixel.
@@ -151,8 +152,8 @@ PolygonSoup peeking_walls(std::size_t count) {
 TEST(Missed, AsFarAsTheWorkGoes) {
   const PolygonSoup soup = peeking_walls(500);
   const Culler culler = with_leaves(soup, 4);
-  const CullResult frame = culler.cull(Camera{});
-  const MissedReasons reasons(culler, Camera{}, {}, frame);
+  const CullResult frame = culler.cull(Camera{}, {.method = Method::frusta});
+  const MissedReasons reasons(culler, Camera{}, {.method = Method::frusta}, frame);
   const std::vector<bool> shows(soup.size());  // nothing does
   const MissedReasons::Counts all = MissedReasons::count(reasons.answers(shows));
   EXPECT_EQ(all.missed, frame.stats.drawn_polygons);
@@ -176,7 +177,7 @@ TEST(Missed, AnswersOneByOneAsTogether) {
     add_wall(soup, 10 + place(random), y, y + size(random), z, z + size(random));
   }
   const Culler culler = with_leaves(soup, 2);
-  const CullOptions options{.occluders = 4};
+  const CullOptions options{.method = Method::frusta, .occluders = 4};
   const CullResult frame = culler.cull(Camera{}, options);
   const MissedReasons reasons(culler, Camera{}, options, frame);
   std::vector<bool> shows(soup.size());
@@ -199,7 +200,7 @@ TEST(Missed, CountsTheExactStageAsWork) {
     add_wall(soup, x, -x, x, -x, x);
   }
   const Culler culler = with_leaves(soup, 4);
-  const CullOptions options{.margin = 1e-6};
+  const CullOptions options{.method = Method::frusta, .margin = 1e-6};
   const CullResult frame = culler.cull(Camera{}, options);
   const MissedReasons reasons(culler, Camera{}, options, frame);
   constexpr std::size_t kExact = 500;  // answers of the exact stage; each wall asks dozens
@@ -211,8 +212,8 @@ TEST(Missed, CountsTheExactStageAsWork) {
 TEST(Missed, StopsWhenItsCheckpointThrows) {
   const PolygonSoup soup = peeking_walls(50);
   const Culler culler = with_leaves(soup, 4);
-  const CullResult frame = culler.cull(Camera{});
-  const MissedReasons reasons(culler, Camera{}, {}, frame);
+  const CullResult frame = culler.cull(Camera{}, {.method = Method::frusta});
+  const MissedReasons reasons(culler, Camera{}, {.method = Method::frusta}, frame);
   const auto stop = [] { throw std::runtime_error("stopped"); };
   EXPECT_THROW(static_cast<void>(reasons.answers(std::vector<bool>(soup.size()), stop)), std::runtime_error);
 }

@@ -137,7 +137,7 @@ TEST(NearPlane, APolytopeThatItCutsHidesNothing) {
       ASSERT_EQ(occluders_of(culler).shells().size(), 1U);
       Camera camera;
       camera.fov_y_deg = 120;
-      const CullResult frame = culler.cull(camera);
+      const CullResult frame = culler.cull(camera, {.method = Method::frusta});
       EXPECT_EQ(shells_in_use(culler, frame), is_cut ? 0U : 1U);
       EXPECT_EQ(is_drawn(culler, frame, behind), is_cut);
     }
@@ -158,7 +158,7 @@ TEST(NearPlane, NothingDisappearsForACameraInAShell) {
     Camera camera;
     camera.eye = {-6 + 0.03 * step, 0.01, 0.02};
     camera.target = camera.eye + glm::dvec3{1, 0, 0};
-    const CullResult& frame = culler.cull(camera, {}, view);
+    const CullResult& frame = culler.cull(camera, {.method = Method::frusta}, view);
     const std::vector<bool> drawn = drawn_of(culler, frame);
     const bool is_inside = std::fabs(camera.eye.x) < 3;
     if (camera.eye.x < -3) {
@@ -197,7 +197,7 @@ TEST(NearPlane, NothingDisappearsForACameraInTheBoxOfAShell) {
   camera.eye = {3, 0, 7.5};
   camera.target = {4, 0, 6.5};
   camera.fov_y_deg = 120;
-  const CullResult frame = culler.cull(camera);
+  const CullResult frame = culler.cull(camera, {.method = Method::frusta});
   EXPECT_EQ(shells_in_use(culler, frame), 1U);
   EXPECT_TRUE(is_drawn(culler, frame, 4)) << "the slope";
   EXPECT_TRUE(is_drawn(culler, frame, 5)) << "what is before it";
@@ -218,7 +218,7 @@ TEST(Facing, IsDecidedByTheSideOfTheEye) {
     const Culler culler = far_reaching(soup);
     Camera camera;
     camera.fov_y_deg = 120;
-    const CullResult frame = culler.cull(camera, {.occluders = 1});
+    const CullResult frame = culler.cull(camera, {.method = Method::frusta, .occluders = 1});
     ASSERT_EQ(frame.occluders.size(), 1U);
     ASSERT_EQ(original(culler, frame.occluders[0]), 0U);
     EXPECT_FALSE(is_drawn(culler, frame, 1)) << "behind the wall, side " << sign;
@@ -237,7 +237,7 @@ TEST(Facing, OfAShellBesideTheLineOfSight) {
   const Culler culler = far_reaching(soup);
   Camera camera;
   camera.fov_y_deg = 160;
-  const CullResult frame = culler.cull(camera, {.occluders = 1});
+  const CullResult frame = culler.cull(camera, {.method = Method::frusta, .occluders = 1});
   EXPECT_EQ(shells_in_use(culler, frame), 1U);
   EXPECT_FALSE(is_drawn(culler, frame, beyond));
   EXPECT_TRUE(is_drawn(culler, frame, beside));
@@ -257,7 +257,7 @@ TEST(PictureEdge, AnOpeningThatTouchesItStaysOpen) {
     Camera camera;
     camera.fov_y_deg = 90;
     camera.aspect = 1;
-    const CullResult frame = culler.cull(camera);
+    const CullResult frame = culler.cull(camera, {.method = Method::frusta});
     EXPECT_TRUE(is_drawn(culler, frame, through)) << "slit " << slit;
     EXPECT_FALSE(is_drawn(culler, frame, hidden)) << "slit " << slit;
   }
@@ -276,7 +276,7 @@ TEST(PictureEdge, ALargeOccluderAcrossItHidesWhatIsBehindAlone) {
   Camera camera;
   camera.fov_y_deg = 90;
   camera.aspect = 1;
-  const CullResult frame = culler.cull(camera);
+  const CullResult frame = culler.cull(camera, {.method = Method::frusta});
   EXPECT_TRUE(is_drawn(culler, frame, 0));
   EXPECT_TRUE(is_drawn(culler, frame, beside));
   EXPECT_TRUE(is_drawn(culler, frame, across));
@@ -303,7 +303,7 @@ TEST(PictureEdge, OrthographicOccludersThatTouchHideNoMoreThanEach) {
   camera.projection = Projection::orthographic;
   camera.height = 11;
   camera.aspect = 1;
-  const CullResult frame = culler.cull(camera);
+  const CullResult frame = culler.cull(camera, {.method = Method::frusta});
   EXPECT_FALSE(is_drawn(culler, frame, left));
   EXPECT_FALSE(is_drawn(culler, frame, right));
   EXPECT_TRUE(is_drawn(culler, frame, across)) << "hidden by both together, by neither alone";
@@ -324,7 +324,7 @@ TEST(FarPlane, AtInfinityIsNoPlane) {
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     camera.projection = projection;
     camera.height = 2e9;
-    const CullResult frame = culler.cull(camera);
+    const CullResult frame = culler.cull(camera, {.method = Method::frusta});
     EXPECT_EQ(frame.view.size(), 5U);
     for (const HalfSpace& h : frame.view) {
       EXPECT_TRUE(std::isfinite(h.normal.x) && std::isfinite(h.normal.y) && std::isfinite(h.normal.z) &&
@@ -334,7 +334,7 @@ TEST(FarPlane, AtInfinityIsNoPlane) {
     EXPECT_TRUE(is_drawn(culler, frame, beside));
   }
   camera.far_plane = 1e8;
-  const CullResult frame = culler.cull(camera);
+  const CullResult frame = culler.cull(camera, {.method = Method::frusta});
   EXPECT_EQ(frame.view.size(), 6U);
   EXPECT_FALSE(is_drawn(culler, frame, beside));
 }
@@ -362,7 +362,7 @@ TEST(OccluderShape, AllOfMoreThanThirtyTwoSidesCount) {
     }
   }
   const Culler culler = far_reaching(soup);
-  const CullResult frame = look(culler, {.occluders = 1});
+  const CullResult frame = look(culler, {.method = Method::frusta, .occluders = 1});
   ASSERT_EQ(original(culler, frame.occluders[0]), 0U);
   const std::vector<bool> drawn = drawn_of(culler, frame);
   for (std::size_t p = 1; p < drawn.size(); ++p) EXPECT_EQ(drawn[p], p % 2 == 1) << "polygon " << p;
@@ -414,7 +414,7 @@ TEST(OccluderShape, CollinearFirstCornersAndAnyScale) {
       const Culler culler = far_reaching(soup);
       Camera camera;
       camera.near_plane = 0.1 * scale;
-      const CullResult frame = culler.cull(camera, {.occluders = 1});
+      const CullResult frame = culler.cull(camera, {.method = Method::frusta, .occluders = 1});
       ASSERT_EQ(frame.occluders.size(), 1U) << "scale " << scale;
       EXPECT_EQ(original(culler, frame.occluders[0]), 0U);
       EXPECT_EQ(frame.occluders[0].frustum.silhouette().size(), 4U);

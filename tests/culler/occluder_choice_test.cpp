@@ -35,7 +35,7 @@ Culler listing_all(const PolygonSoup& soup) { return Culler(soup, {.lists = {.th
 TEST(OccluderChoice, WorkIsBoundedWhereOneWallHidesAllOtherCandidates) {
   constexpr std::size_t kHidden = 20000;
   const Culler culler = listing_all(one_wall_before(kHidden));
-  const CullOptions options{.occluders = 2};
+  const CullOptions options{.method = Method::frusta, .occluders = 2};
   const CullResult frame = look(culler, options);
   ASSERT_EQ(frame.stats.occluders_in_view, kHidden + 1);
   EXPECT_EQ(frame.occluders.size(), 1U);
@@ -54,7 +54,7 @@ TEST(OccluderChoice, GoesOnBehindWhatAWallHides) {
   const Culler culler = listing_all(soup);
   Camera camera;
   camera.fov_y_deg = 120;
-  const CullResult frame = culler.cull(camera, {.occluders = 2});
+  const CullResult frame = culler.cull(camera, {.method = Method::frusta, .occluders = 2});
   ASSERT_EQ(frame.occluders.size(), 2U);
   EXPECT_EQ(original(culler, frame.occluders[1]), kHidden + 1);
   EXPECT_LT(frame.stats.choice_work, 2 * kChoiceWorkOfEach);
@@ -64,7 +64,7 @@ TEST(OccluderChoice, GoesOnBehindWhatAWallHides) {
 /// does not depend on the frames before.
 TEST(OccluderChoice, IsOfTheRegionThatTheEyeIsIn) {
   const Culler culler(random_town_of_houses(7, 4000), {.lists = {.threshold = 1e-3, .regions = 256}});
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.objective.coherence = 0;
   View moving;
   const OccluderLists& lists = occluders_of(culler).lists();
@@ -105,7 +105,7 @@ TEST(OccluderChoice, WhatTheKernelRefusesIsNoProbeAndLeavesRoomForAnother) {
   camera.fov_y_deg = 150;
   for (const std::size_t threads : {1U, 2U}) {
     const Executor executor = Executor::own_threads(threads);
-    CullOptions options{.occluders = 1, .probes = 5, .executor = &executor};
+    CullOptions options{.method = Method::frusta, .occluders = 1, .probes = 5, .executor = &executor};
     options.objective.solid_angle = 0;
     View view;
     const CullResult& frame = culler.cull(camera, options, view);
@@ -133,7 +133,8 @@ TEST(OccluderChoice, IsMadeWhateverTheWeights) {
   for (int i = 0; i < 100; ++i) add_wall(soup, 20 + i, i % 10 - 5, i % 10 - 4.5, -1, 0.1 * (i % 7));
   const Culler culler = listing_all(soup);
   for (const double weight : {std::nan(""), infinity, -infinity, 1e300, -1e300, 0.5}) {
-    const CullOptions options{.objective = {.solid_angle = weight, .depth_complexity = weight, .coherence = weight}};
+    const CullOptions options{.method = Method::frusta,
+                              .objective = {.solid_angle = weight, .depth_complexity = weight, .coherence = weight}};
     View view;
     for (int frame = 0; frame < 3; ++frame) {
       const CullResult& result = culler.cull(Camera{}, options, view);

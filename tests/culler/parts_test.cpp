@@ -82,7 +82,7 @@ TEST(Parts, GiveTheSameCuller) {
       ASSERT_EQ(prepared.hierarchy().original(p), fresh.hierarchy().original(p));
     }
     for (const Method method : {Method::frusta, Method::cover}) {
-      CullOptions options;
+      CullOptions options{.method = Method::frusta};
       options.method = method;
       constexpr std::uint32_t kSeed = 12;
       std::mt19937 random(kSeed);
@@ -114,7 +114,8 @@ TEST(Parts, AreUsedWhereTheyLie) {
   parts = {};
   std::mt19937 random(4);
   const Camera camera = random_camera(random);
-  EXPECT_TRUE(are_same(culler.cull(camera), Culler(varied_town(100)).cull(camera)));
+  EXPECT_TRUE(are_same(culler.cull(camera, {.method = Method::frusta}),
+                       Culler(varied_town(100)).cull(camera, {.method = Method::frusta})));
 }
 
 /// A culler of parts has the parts that it was made of, and two cullers of one model have the same.
@@ -146,7 +147,7 @@ TEST(Parts, OfAMethodMayBeLeftOut) {
   const Culler culler = bare.culler();
   std::mt19937 random(2);
   for (const Method method : {Method::frusta, Method::cover}) {
-    CullOptions options;
+    CullOptions options{.method = Method::frusta};
     options.method = method;
     const Camera camera = random_camera(random);
     EXPECT_TRUE(are_same(culler.cull(camera, options), fresh.cull(camera, options)));
@@ -644,7 +645,7 @@ TEST(Parts, OfAnyBytesCullRightOrAreRefused) {
     const Culler changed = forged.culler();
     const Camera camera = random_camera(random);
     static_cast<void>(changed.cull(camera, {.method = Method::cover}));
-    const CullResult frame = changed.cull(camera);
+    const CullResult frame = changed.cull(camera, {.method = Method::frusta});
     for (const Culled& culled : frame.culled) {
       if (culled.by != Culled::By::shadow) continue;
       const auto inside = [&](const auto& box) {

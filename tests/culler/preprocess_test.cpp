@@ -57,7 +57,7 @@ TEST(Preprocess, WhatOccludersHideChoosesThem) {
   Camera camera;
   camera.target = {1, 0, 0};
   camera.fov_y_deg = 120;
-  const CullOptions options{.occluders = 1};
+  const CullOptions options{.method = Method::frusta, .occluders = 1};
   EXPECT_EQ(fresh.cull(camera, options).stats.shadow_culled_polygons, 0U);
   const Culler prepared = with_hidden(fresh, hidden);
   const CullResult frame = prepared.cull(camera, options);
@@ -170,7 +170,7 @@ TEST(Preprocess, HeuristicsOfAnyKindKeepThePicture) {
     });
     const Culler culler = forged.culler();
     for (int frame = 0; frame < 30; ++frame) {
-      const CullResult result = culler.cull(random_camera(random));
+      const CullResult result = culler.cull(random_camera(random), {.method = Method::frusta});
       for (const Culled& culled : result.culled) {
         if (culled.by != Culled::By::shadow) continue;
         const auto inside = [&](const auto& box) {

@@ -899,7 +899,7 @@ TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
     SceneView view;
     const Camera camera = random_camera(random);
     SceneOptions options{.mask = 1, .least_size = 0.03F};
-    if (i % 4 == 0) options.cover.triangles = 500;
+    if (i % 4 == 0) options.cover.work = 8000;
     std::vector<std::uint32_t> drawn;
     for (const DrawnObject& object : scene.cull(camera, options, view).drawn) drawn.push_back(object.id.slot());
     const std::vector<ObjectFate> fates = scene.why(camera, options, view, ids);

@@ -230,9 +230,9 @@ bool is_drawn_behind(double side, const CullOptions& options) {
 TEST(CullOptions, AMarginDrawsWhatIsHiddenByLess) {
   // At distance 20 the picture, opened by 60 degrees, is 40 tan 30 high; the shadow ends at 20.
   const double margin = kShare * 40 * std::tan(glm::radians(30.0));
-  EXPECT_FALSE(is_drawn_behind(20, {}));
-  EXPECT_FALSE(is_drawn_behind(20 - 1.01 * margin, {.margin = kShare}));
-  EXPECT_TRUE(is_drawn_behind(20 - 0.99 * margin, {.margin = kShare}));
+  EXPECT_FALSE(is_drawn_behind(20, {.method = Method::frusta}));
+  EXPECT_FALSE(is_drawn_behind(20 - 1.01 * margin, {.method = Method::frusta, .margin = kShare}));
+  EXPECT_TRUE(is_drawn_behind(20 - 0.99 * margin, {.method = Method::frusta, .margin = kShare}));
 }
 
 TEST(CullOptions, AMarginHoldsForQueries) {
@@ -242,12 +242,12 @@ TEST(CullOptions, AMarginHoldsForQueries) {
   const Culler culler(soup);
   const auto point_at = [](double y) { return Box(kernel::Aabb{{20, y, 0}, {20, y, 0}}); };
   View view;
-  culler.cull(Camera{}, {}, view);
+  culler.cull(Camera{}, {.method = Method::frusta}, view);
   EXPECT_EQ(view.visibility(point_at(20 - 0.99 * margin)), Visibility::occluded);
   Camera wide;
   wide.fov_y_deg = 120;
-  culler.cull(wide, {.margin = kShare}, view);  // the margin is the frame's own
-  culler.cull(Camera{}, {.margin = kShare}, view);
+  culler.cull(wide, {.method = Method::frusta, .margin = kShare}, view);  // the margin is the frame's own
+  culler.cull(Camera{}, {.method = Method::frusta, .margin = kShare}, view);
   EXPECT_EQ(view.visibility(point_at(20 - 0.99 * margin)), Visibility::visible);
   EXPECT_EQ(view.visibility(point_at(20 - 1.01 * margin)), Visibility::occluded);
 }
@@ -263,7 +263,8 @@ TEST(CullOptions, AMarginIsThatOfEachFrame) {
     Camera camera;
     camera.eye = {0.1 * i, 3 * std::sin(i), 0};
     camera.target = {20, 0, 0};
-    const CullOptions options{.objective = {.coherence = 0}, .margin = i % 3 == 0 ? 0 : 0.02};  // as wide as a wall
+    const CullOptions options{
+        .method = Method::frusta, .objective = {.coherence = 0}, .margin = i % 3 == 0 ? 0 : 0.02};  // as wide as a wall
     CullOptions without = options;
     without.margin = 0;
     const CullResult& frame = culler.cull(camera, options, view);
@@ -286,10 +287,10 @@ bool is_drawn_behind_two(double side, const CullOptions& options) {
 
 TEST(CullOptions, AMarginHoldsForTwoTogether) {
   const double margin = kShare * 40 * std::tan(glm::radians(30.0)), shadow = 20 * 10 / 10.5;
-  EXPECT_TRUE(is_drawn_behind_two(15, {}));
-  EXPECT_FALSE(is_drawn_behind_two(15, {.margin = kShare, .unions = true}));
-  EXPECT_FALSE(is_drawn_behind_two(shadow - 0.1 * margin, {.unions = true}));
-  EXPECT_TRUE(is_drawn_behind_two(shadow - 0.1 * margin, {.margin = kShare, .unions = true}));
+  EXPECT_TRUE(is_drawn_behind_two(15, {.method = Method::frusta}));
+  EXPECT_FALSE(is_drawn_behind_two(15, {.method = Method::frusta, .margin = kShare, .unions = true}));
+  EXPECT_FALSE(is_drawn_behind_two(shadow - 0.1 * margin, {.method = Method::frusta, .unions = true}));
+  EXPECT_TRUE(is_drawn_behind_two(shadow - 0.1 * margin, {.method = Method::frusta, .margin = kShare, .unions = true}));
 }
 
 }  // namespace shadow_margin_test

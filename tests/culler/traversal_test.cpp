@@ -198,7 +198,7 @@ void expect_same(const View::Memory& expected, const View::Memory& found) {
 struct Case {
   const char* name;
   Bounds bounds = Bounds::aabb;
-  CullOptions options = {};
+  CullOptions options = {.method = Method::frusta};
 };
 
 class TraversalTest : public testing::TestWithParam<Case> {};
@@ -251,14 +251,15 @@ TEST_P(TraversalTest, AnswersAsADescentNodeByNode) {
   for (std::size_t i = 0; i < executors.size(); ++i) EXPECT_EQ(deferred[i] > 50, executors[i].threads() > 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Options, TraversalTest,
-                         testing::Values(Case{"frusta"}, Case{"oriented", Bounds::obb},
-                                         Case{"many", Bounds::aabb, {.occluders = 40}},
-                                         Case{"overlap", Bounds::aabb, {.test = kernel::Test::overlap}},
-                                         Case{"plain", Bounds::aabb, {.arithmetic = kernel::Arithmetic::plain}},
-                                         Case{"farthest", Bounds::aabb, {.shadow_near = kernel::Near::farthest}},
-                                         Case{"margin", Bounds::aabb, {.margin = 0.002}},
-                                         Case{"unions", Bounds::aabb, {.occluders = 24, .unions = true}}),
-                         [](const auto& c) { return std::string(c.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Options, TraversalTest,
+    testing::Values(Case{"frusta"}, Case{"oriented", Bounds::obb},
+                    Case{"many", Bounds::aabb, {.method = Method::frusta, .occluders = 40}},
+                    Case{"overlap", Bounds::aabb, {.method = Method::frusta, .test = kernel::Test::overlap}},
+                    Case{"plain", Bounds::aabb, {.method = Method::frusta, .arithmetic = kernel::Arithmetic::plain}},
+                    Case{"farthest", Bounds::aabb, {.method = Method::frusta, .shadow_near = kernel::Near::farthest}},
+                    Case{"margin", Bounds::aabb, {.method = Method::frusta, .margin = 0.002}},
+                    Case{"unions", Bounds::aabb, {.method = Method::frusta, .occluders = 24, .unions = true}}),
+    [](const auto& c) { return std::string(c.param.name); });
 
 }  // namespace traversal_test

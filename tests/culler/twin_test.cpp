@@ -73,7 +73,7 @@ class Twin {
 };
 
 CullOptions some_options(std::mt19937& random) {
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.shadow_near = random() % 2 ? kernel::Near::surface : kernel::Near::farthest;
   options.test = random() % 2 ? kernel::Test::conservative : kernel::Test::overlap;
   options.occluders = std::array<std::size_t, 4>{0, 3, 8, 40}[random() % 4];

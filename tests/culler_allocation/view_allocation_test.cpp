@@ -44,7 +44,7 @@ TEST(View, AllocatesInItsFirstFrameAlone) {
     ASSERT_GT(occluders_of(culler).shells().size(), 50U);
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
       for (const bool is_papers : {false, true}) {
-        CullOptions options;
+        CullOptions options{.method = Method::frusta};
         if (is_papers) options.shadow_near = occlude::kernel::Near::farthest;
         if (is_papers) options.test = occlude::kernel::Test::overlap;
         if (is_papers) options.margin = 0.001;
@@ -75,7 +75,7 @@ TEST(View, AllocatesNothingForSubtreesAsManyAsBefore) {
   };
   const Executor executor(2, one_after_another);
   View view;
-  CullOptions options;
+  CullOptions options{.method = Method::frusta};
   options.executor = &executor;
   std::size_t first = 0;
   for (int path = 0; path < 8; ++path) first += walk(culler, options, Projection::perspective, view, path % 4);

@@ -62,7 +62,7 @@ class CullJudgeTest : public testing::Test {
 
   Culler culler_{scene(), {.hierarchy = {.leaf_size = 1}, .lists = {}}};
   Camera camera_;
-  CullOptions options_;
+  CullOptions options_{.method = culler::Method::frusta};
 };
 
 TEST_F(CullJudgeTest, FindsNothingWrongWithAFrame) {
@@ -220,7 +220,7 @@ class UnionJudgeTest : public testing::Test {
   }
 
   Camera camera_;
-  CullOptions options_;
+  CullOptions options_{.method = culler::Method::frusta};
 };
 
 TEST_F(UnionJudgeTest, FindsNothingWrongWithACullByTwo) {

@@ -132,8 +132,8 @@ TEST(Faces, NothingIsCulledThatOneSeesThroughTheirOpenings) {
     const culler::Culler culler(soup, {.hierarchy = {.leaf_size = 1}});
     const culler::Hierarchy& hierarchy = culler.hierarchy();
     const std::vector<bool> shows = proof::visible_triangles(hierarchy.soup(), camera);
-    const std::vector<bool> viewed =
-        culler::polygons_of(culler.cull(camera, {.occluders = 0}).drawn, hierarchy.soup().size());
+    const std::vector<bool> viewed = culler::polygons_of(
+        culler.cull(camera, {.method = culler::Method::frusta, .occluders = 0}).drawn, hierarchy.soup().size());
     for (const auto method : {culler::Method::frusta, culler::Method::cover}) {
       const std::vector<bool> drawn =
           culler::polygons_of(culler.cull(camera, {.method = method, .occluders = 64}).drawn, hierarchy.soup().size());

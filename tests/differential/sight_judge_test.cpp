@@ -51,7 +51,7 @@ class SightJudge : public testing::Test {
 
   culler::Culler culler_{scene(), {.hierarchy = {.leaf_size = 1}, .occluders = {}, .lists = {}}};
   culler::Camera camera_;
-  culler::CullOptions options_;
+  culler::CullOptions options_{.method = culler::Method::frusta};
 };
 
 TEST_F(SightJudge, RefutesWhatSomeEyesSee) {

@@ -49,7 +49,8 @@ int main(int argc, char** argv) {
     const culler::CullResult& frame = culler.cull(path.camera(f, 16.0 / 9), options, view);
     time += std::chrono::steady_clock::now() - start;
     const std::size_t drawn = frame.stats.drawn_polygons;
-    const std::size_t in_view = culler.cull(path.camera(f, 16.0 / 9), {.occluders = 0}).stats.drawn_polygons;
+    const std::size_t in_view =
+        culler.cull(path.camera(f, 16.0 / 9), {.method = culler::Method::frusta, .occluders = 0}).stats.drawn_polygons;
     std::printf("%zu: %zu drawn, %zu culled, %u\n", f, drawn, in_view - drawn, hash_of_drawn(culler.hierarchy(), frame));
   }
   std::fprintf(stderr, "native: %.3f ms a frame\n", time.count() / static_cast<double>(frames));

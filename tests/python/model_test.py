@@ -75,8 +75,8 @@ class Models(unittest.TestCase):
         triangles = np.arange(18.0).reshape(6, 3) ** 2
         culler, camera = occlude.Culler(triangles, [[0, 1, 2]]), occlude.Camera(triangles[0] - 9, triangles[1])
         for triangle_limit in (-1, 1.5, "x", 2**70):
-            with self.assertRaisesRegex(TypeError, "^cover_triangles is no number from 0 on$"):
-                culler.cull(camera, method="cover", cover_triangles=triangle_limit)
+            with self.assertRaisesRegex(TypeError, "^cover_work is no number from 0 on$"):
+                culler.cull(camera, method="cover", cover_work=triangle_limit)
         with self.assertRaisesRegex(TypeError, "^cover_ms is no number$"):
             culler.cull(camera, method="cover", cover_ms="x")
         with self.assertRaisesRegex(TypeError, "^nearer is no text$"):
@@ -135,7 +135,7 @@ class Models(unittest.TestCase):
         self.assertGreater(many, 600)
         seen = view.visibility([[30, 31, 0.2, 31, 32, 0.4], [-50, 0, 0, -49, 1, 1]])
         self.assertEqual(list(seen), [Visibility.OCCLUDED, Visibility.OUT_OF_VIEW])
-        self.assertEqual(self.check_path(culler, view, triangles, rng, method="cover", cover_triangles=0), 0)
+        self.assertEqual(self.check_path(culler, view, triangles, rng, method="cover", cover_work=0), 0)
 
     def test_matrix_cameras(self):
         rng = brute.random()

@@ -64,7 +64,8 @@ TEST_P(HeldWalk, DrawsWhatTheRegionDrawsInTheFramesOwnView) {
     const culler::Camera camera = city_.path.camera(frame, aspect(options_));
     ASSERT_GT(along.region(), 0U) << frame;
     ASSERT_FALSE(source.camera.eyes.is_point());
-    const std::vector<bool> in_view = drawn_of(culler.cull(camera, {.occluders = 0}, alone), polygons);
+    const std::vector<bool> in_view =
+        drawn_of(culler.cull(camera, {.method = culler::Method::frusta, .occluders = 0}, alone), polygons);
     const std::vector<bool> in_region = drawn_of(source.result, polygons), drawn = drawn_of(result, polygons);
     std::size_t count = 0, view_culled = 0, shadow_culled = 0;
     for (std::uint32_t p = 0; p < polygons; ++p) {
@@ -111,7 +112,8 @@ TEST_P(HeldWalk, WhatIsCulledByEitherIsCulledByItsOwnReason) {
     const glm::dvec3 sight = camera.target - camera.eye;
     const double angle = degrees * std::numbers::pi / 180;
     other.target = other.eye + std::cos(angle) * sight + std::sin(angle) * glm::cross(camera.up, sight);
-    const culler::CullResult own = culler.cull(camera, {.occluders = 0}), region = culler.cull(other, options_.cull);
+    const culler::CullResult own = culler.cull(camera, {.method = culler::Method::frusta, .occluders = 0}),
+                             region = culler.cull(other, options_.cull);
     const culler::CullResult both = joined(culler.hierarchy(), own, region);
     const std::vector<bool> of_own = drawn_of(own, polygons), of_region = drawn_of(region, polygons),
                             drawn = drawn_of(both, polygons);

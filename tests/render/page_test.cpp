@@ -321,7 +321,7 @@ TEST_F(PageFramesTest, TellWhatBecameOfEachPolygon) {
 }
 
 TEST_F(PageFramesTest, OfMoreBytesThanAllowedEverySecondFrameIsKept) {
-  const culler::CullResult frame = culler_.cull(camera_);
+  const culler::CullResult frame = culler_.cull(camera_, {.method = culler::Method::frusta});
   PageFrames one(culler_, model_);
   one.add(frame);
   PageFrames frames(culler_, model_, 4 * one.packed().size());
@@ -345,7 +345,7 @@ std::vector<std::size_t> kept_by(const PageDetails& details) {
 }
 
 TEST_F(PageFramesTest, DetailsAreKeptOfTheSlowestFramesToo) {
-  const culler::CullResult frame = culler_.cull(camera_);
+  const culler::CullResult frame = culler_.cull(camera_, {.method = culler::Method::frusta});
   const FrameRecord record;
   const ShownFrame shown{record, camera_, frame, {}, nullptr, nullptr};
   PageDetails one(culler_, model_);
@@ -367,7 +367,7 @@ TEST_F(PageFramesTest, DetailsAreKeptOfTheSlowestFramesToo) {
 }
 
 TEST_F(PageFramesTest, DetailsHaveTheDistancesOfEachCulledSubtree) {
-  const culler::CullResult frame = culler_.cull(camera_, {.unions = true});
+  const culler::CullResult frame = culler_.cull(camera_, {.method = culler::Method::frusta, .unions = true});
   const FrameRecord record;
   PageDetails details(culler_, model_);
   details.add({record, camera_, frame, {}, nullptr, nullptr}, 1);
@@ -400,7 +400,7 @@ TEST_F(PageFramesTest, DetailsHaveTheDistancesOfEachCulledSubtree) {
 
 TEST_F(PageFramesTest, CountWhatAnOccluderHid) {
   PageFrames frames(culler_, model_);
-  const culler::CullResult frame = culler_.cull(camera_);
+  const culler::CullResult frame = culler_.cull(camera_, {.method = culler::Method::frusta});
   frames.add(frame);
   frames.add(frame);
   for (const culler::Occluder& occluder : frame.occluders) {
@@ -451,7 +451,7 @@ TEST_F(PageFramesTest, CountWhatThePiecesOfCoversHid) {
 }
 
 TEST_F(PageFramesTest, CountWhatWasDrawnInVain) {
-  const culler::CullResult frame = culler_.cull(camera_);
+  const culler::CullResult frame = culler_.cull(camera_, {.method = culler::Method::frusta});
   const std::vector<bool> drawn = [&] {
     std::vector<bool> result(culler_.hierarchy().soup().size());
     for (const culler::PolygonRange& range : frame.drawn) std::fill_n(result.begin() + range.first, range.count, true);

@@ -69,7 +69,7 @@ class StoreTest : public testing::Test {
 
   /// The witnesses of some frames, line by line.
   [[nodiscard]] std::vector<std::string> witnesses(const culler::Culler& culler, Method method) const {
-    culler::CullOptions options;
+    culler::CullOptions options{.method = culler::Method::frusta};
     options.method = method;
     std::vector<std::string> lines;
     culler::View view;

@@ -43,7 +43,7 @@ std::string failure(const Json& summary) {
 /// A summary that has all members.
 Json whole_summary() {
   Summary summary;
-  summary.options.cull.cover.triangles = 7;
+  summary.options.cull.cover.work = 7;
   summary.options.cull.cover.ms = 2.5;
   summary.options.preprocess = "some.pre";
   summary.machine.renderer = "some renderer";

@@ -60,7 +60,7 @@ class Judge : public testing::Test {
   /// The verdict on culling the polygon with this number in the input, by the wall's shadow.
   FrameRecord judge_cull_of(std::uint32_t original) {
     const auto& hierarchy = culler_.hierarchy();
-    culler::CullOptions options;
+    culler::CullOptions options{.method = culler::Method::frusta};
     options.occluders = 1;
     culler::CullResult frame = culler_.cull(camera_, options);
     EXPECT_EQ(hierarchy.original(occluders_of(culler_).parts(frame.occluders.at(0).index)[0]), 0U);
@@ -189,8 +189,10 @@ TEST(Summary, TextAndPageShowItsFigures) {
 
 /// Two walks of the same frames: 40 of 100 polygons drawn, and 25.
 Summary two_methods(const WalkResult& frusta, const WalkResult& cover) {
-  Summary summary = summarise(frusta, {}, "model.ply");
-  const WalkOptions options, beside = options_beside(options);
+  WalkOptions options, beside;
+  options.cull.method = culler::Method::frusta;
+  beside.cull.method = culler::Method::cover;
+  Summary summary = summarise(frusta, options, "model.ply");
   summary.methods = methods_of({{&options, &frusta}, {&beside, &cover}}, true);
   return summary;
 }
@@ -249,7 +251,8 @@ TEST(Methods, BesideAWalkThatHoldsIsTheSameCulledInEachFrame) {
   WalkOptions held;
   held.hold = 2;
   held.cull.method = culler::Method::cover;
-  const WalkOptions beside = options_beside(held);
+  ASSERT_EQ(options_beside(held).size(), 1U);
+  const WalkOptions beside = options_beside(held).front();
   EXPECT_EQ(beside.hold, 0);
   EXPECT_EQ(beside.cull.method, culler::Method::cover);
   EXPECT_EQ(method_text(held), "joined shadows, held");
@@ -295,14 +298,22 @@ TEST(Summary, TellsOfRegionsThatHold) {
   EXPECT_NE(csv.find(",2\n"), std::string::npos);
 }
 
-TEST(Methods, TheOtherHasLeavesOfItsOwn) {
+TEST(Methods, TheOthersHaveLeavesOfTheirOwn) {
+  using culler::Method;
   WalkOptions options;
-  options.build.hierarchy.leaf_size = culler::leaf_size_for(culler::Method::frusta);
-  EXPECT_EQ(options_beside(options).cull.method, culler::Method::cover);
-  EXPECT_EQ(options_beside(options).build.hierarchy.leaf_size, culler::leaf_size_for(culler::Method::cover));
-  EXPECT_EQ(options_beside(options_beside(options)).cull.method, culler::Method::frusta);
+  for (const Method method : {Method::automatic, Method::frusta, Method::cover}) {
+    options.cull.method = method;
+    options.build.hierarchy.leaf_size = culler::leaf_size_for(method);
+    const std::vector<WalkOptions> others = options_beside(options);
+    ASSERT_EQ(others.size(), 2U);
+    EXPECT_NE(others[0].cull.method, others[1].cull.method);
+    for (const WalkOptions& other : others) {
+      EXPECT_NE(other.cull.method, method);
+      EXPECT_EQ(other.build.hierarchy.leaf_size, culler::leaf_size_for(other.cull.method));
+    }
+  }
   options.build.hierarchy.leaf_size = 7;
-  EXPECT_EQ(options_beside(options).build.hierarchy.leaf_size, 7U);
+  for (const WalkOptions& other : options_beside(options)) EXPECT_EQ(other.build.hierarchy.leaf_size, 7U);
 }
 
 TEST(ModelText, SaysWhatWasRead) {

@@ -425,7 +425,8 @@ OCCLUDE_API occlude_status occlude_ahead_look_at(const occlude_look_at_camera* c
 /// occlude_cull_options.margin for a picture of so many rows of pixels, drawn by a rasteriser with a grid of 1/256 pixel.
 OCCLUDE_API double occlude_margin_for(uint32_t rows) OCCLUDE_NO_THROW;
 
-/// One camera, and its last frame. It may be used with any scene at any time. A frame does not depend on those before it.
+/// One camera, and its last frame. It may be used with any scene at any time. A frame does not depend on those before it,
+/// but for occlude_cull_options.is_adaptive.
 typedef struct occlude_view occlude_view;
 
 OCCLUDE_API occlude_status occlude_view_create(occlude_view** view) OCCLUDE_NO_THROW;
@@ -441,9 +442,10 @@ typedef struct occlude_cull_options {
   /// The coarse picture in pixels, clamped to [64, 4096] and rounded up to multiples of 8. A larger one hides more and costs
   /// more.
   int32_t cover_width, cover_height;
-  /// Once so many triangles are drawn into the picture, or the frame has taken so long, no more are drawn; the nearest come
-  /// first. 0: no limit. With a limit of time, what is hidden depends on the machine's speed; nothing visible is.
-  uint64_t cover_triangles;
+  /// The budget: the most work, which is one for each box that is asked and 16 for each triangle that is drawn into the
+  /// picture, and the most milliseconds. Occluders have three quarters of it; objects are all asked, because each is listed
+  /// anyway. 0: no limit. With a limit of time, what is hidden depends on the machine's speed; nothing visible is.
+  uint64_t cover_work;
   double cover_ms;
   /// By how much shadows are taken smaller, as a share of the picture's height: for a rasteriser to draw the same pixels
   /// with and without culling, at least what it rounds positions by. Nothing is hidden if it is negative or not a number.
@@ -457,10 +459,14 @@ typedef struct occlude_cull_options {
   /// Whether only occluders hide that stand still, for a frame that later ones are held against. With a `least_size` those
   /// that an object draws hide nothing either: seen from elsewhere it may be too small.
   int32_t is_to_be_held;
+  /// Whether frames look less where those before them in the view have hidden less than a quarter of the objects in view,
+  /// until there is more to hide. Otherwise a frame does not depend on those before it.
+  int32_t is_adaptive;
+  int32_t reserved;  ///< 0
 } occlude_cull_options;
 
 #define OCCLUDE_CULL_OPTIONS_INIT \
-  { sizeof(occlude_cull_options), NULL, 576, 360, 0, 0, 0, 0xffffffffu, 0, 0, 0 }
+  { sizeof(occlude_cull_options), NULL, 576, 360, 0, 0, 0, 0xffffffffu, 0, 0, 0, 1, 0 }
 
 /// What to draw, for the next frame of the view. If the camera is refused, the view keeps its last frame. When memory runs
 /// out, it may be empty.
@@ -541,12 +547,13 @@ typedef struct occlude_statistics {
   size_t view_tests;         ///< box against half-space
   size_t cover_tests;        ///< box against the coarse picture
   size_t cover_groups;       ///< joined meshes drawn into the picture
-  size_t cover_groups_left;  ///< not drawn into it, because a limit was reached
+  size_t cover_groups_left;  ///< not drawn into it, because the budget was spent
   size_t cover_triangles;    ///< drawn into it
+  uint64_t cover_work;       ///< as occlude_cull_options.cover_work counts it
 } occlude_statistics;
 
 #define OCCLUDE_STATISTICS_INIT \
-  { sizeof(occlude_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+  { sizeof(occlude_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /// Of the last frame; zeros before the first.
 OCCLUDE_API occlude_status occlude_view_statistics(const occlude_view* view,

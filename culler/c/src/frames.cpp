@@ -181,7 +181,8 @@ void KeptFrame::write_to(occlude_statistics* statistics) const {
                                   .cover_tests = stats_.work.cover_tests,
                                   .cover_groups = stats_.work.cover_groups,
                                   .cover_groups_left = stats_.work.cover_groups_left,
-                                  .cover_triangles = stats_.work.cover_triangles};
+                                  .cover_triangles = stats_.work.cover_triangles,
+                                  .cover_work = stats_.work.cover_work.drawing};
   write(values, statistics, "statistics");
 }
 
@@ -197,13 +198,15 @@ culler::SceneOptions to_scene_options(const occlude_cull_options& options) {
   const culler::CoverOptions none;
   return {.cover = {.width = options.cover_width,
                     .height = options.cover_height,
-                    .triangles = limit<std::size_t>(options.cover_triangles, none.triangles),
-                    .ms = options.cover_ms == 0 ? none.ms : options.cover_ms},
+                    .work = limit<std::size_t>(options.cover_work, none.work),
+                    .ms = options.cover_ms == 0 ? none.ms : options.cover_ms,
+                    .as_before = {}},
           .margin = options.margin,
           .mask = options.mask,
           .least_size = options.least_size,
           .is_front_to_back = options.is_front_to_back != 0,
-          .is_to_be_held = options.is_to_be_held != 0};
+          .is_to_be_held = options.is_to_be_held != 0,
+          .is_adaptive = options.is_adaptive != 0};
 }
 
 }  // namespace occlude::c

@@ -140,12 +140,13 @@ class Scene:
         view: Union[View, None] = None,
         *,
         cover_size: tuple[int, int] = (576, 360),
-        cover_triangles: Union[int, None] = None,
+        cover_work: Union[int, None] = None,
         cover_ms: Union[float, None] = None,
         margin: float = 0.0,
         mask: int = 0xFFFFFFFF,
         least_size: float = 0.0,
         front_to_back: bool = False,
+        adaptive: bool = True,
         to_be_held: bool = False,
         held: Union[View, None] = None,
         threads: int = 1,
@@ -177,16 +178,16 @@ class Culler:
         sizes: Union[ArrayLike, None] = None,
         *,
         see_through: Union[ArrayLike, None] = None,
-        leaf_size: int = 16,
+        leaf_size: int = 4,
         bounds: Literal["aabb", "obb"] = "aabb",
     ) -> None: ...
-    def prepare(self, method: Literal["frusta", "cover"] = "frusta") -> None: ...
+    def prepare(self, method: Literal["automatic", "frusta", "cover"] = "automatic") -> None: ...
     def cull(
         self,
         camera: AnyCamera,
         view: Union[View, None] = None,
         *,
-        method: Literal["frusta", "cover"] = "frusta",
+        method: Literal["automatic", "frusta", "cover"] = "automatic",
         occluders: int = 8,
         probes: int = 8,
         near: Literal["surface", "farthest"] = "surface",
@@ -195,7 +196,7 @@ class Culler:
         margin: float = 0.0,
         unions: bool = False,
         cover_size: tuple[int, int] = (576, 360),
-        cover_triangles: Union[int, None] = None,
+        cover_work: Union[int, None] = None,
         cover_ms: Union[float, None] = None,
     ) -> ModelFrame: ...
     def __len__(self) -> int: ...
@@ -220,7 +221,7 @@ class HeldCull:
         turn_degrees: float = 2.0,
         later: Union[Callable[[Callable[[], None]], object], None] = None,
         repeatable: bool = False,
-        method: Literal["frusta", "cover"] = "cover",
+        method: Literal["automatic", "frusta", "cover"] = "automatic",
         occluders: int = 8,
         probes: int = 8,
         near: Literal["surface", "farthest"] = "surface",
@@ -229,7 +230,7 @@ class HeldCull:
         margin: float = 0.0,
         unions: bool = False,
         cover_size: tuple[int, int] = (576, 360),
-        cover_triangles: Union[int, None] = None,
+        cover_work: Union[int, None] = None,
         cover_ms: Union[float, None] = None,
     ) -> None: ...
     def cull(self, camera: AnyCamera, seconds: float) -> HeldFrame: ...
@@ -247,7 +248,7 @@ class HeldSceneCull:
         later: Union[Callable[[Callable[[], None]], object], None] = None,
         repeatable: bool = False,
         cover_size: tuple[int, int] = (576, 360),
-        cover_triangles: Union[int, None] = None,
+        cover_work: Union[int, None] = None,
         cover_ms: Union[float, None] = None,
         margin: float = 0.0,
         mask: int = 0xFFFFFFFF,

@@ -124,22 +124,22 @@ void define_held_models(py::module_& module) {
   const culler::HeldOptions held_defaults;
   const culler::CullOptions defaults;
   py::class_<HeldModel> held(module, "HeldCull", kOfModels);
-  held.def(
-      py::init([](const Culler& culler, double aside, double up, double turn_degrees, py::object later, bool repeatable,
-                  const std::string& method, std::size_t occluders, std::size_t probes, const std::string& near,
-                  const std::string& arithmetic, const std::string& test, double margin, bool unions,
-                  const std::pair<int, int>& cover_size, const py::object& cover_triangles, const py::object& cover_ms) {
-        const culler::CullOptions options = to_cull_options(method, occluders, probes, near, arithmetic, test, margin,
-                                                            unions, cover_size, cover_triangles, cover_ms);
-        return std::make_unique<HeldModel>(culler, to_held_options(aside, up, turn_degrees, repeatable), options,
-                                           std::move(later));
-      }),
-      py::keep_alive<1, 2>(), "culler"_a, py::kw_only(), "aside"_a = held_defaults.way.aside, "up"_a = held_defaults.way.up,
-      "turn_degrees"_a = held_defaults.way.turn_degrees, "later"_a = py::none(), "repeatable"_a = false,
-      "method"_a = "cover", "occluders"_a = defaults.occluders, "probes"_a = defaults.probes, "near"_a = "surface",
-      "arithmetic"_a = "certified", "test"_a = "conservative", "margin"_a = defaults.margin, "unions"_a = defaults.unions,
-      "cover_size"_a = std::pair{defaults.cover.width, defaults.cover.height}, "cover_triangles"_a = py::none(),
-      "cover_ms"_a = py::none());
+  held.def(py::init([](const Culler& culler, double aside, double up, double turn_degrees, py::object later, bool repeatable,
+                       const std::string& method, std::size_t occluders, std::size_t probes, const std::string& near,
+                       const std::string& arithmetic, const std::string& test, double margin, bool unions,
+                       const std::pair<int, int>& cover_size, const py::object& cover_work, const py::object& cover_ms) {
+             const culler::CullOptions options = to_cull_options(method, occluders, probes, near, arithmetic, test, margin,
+                                                                 unions, cover_size, cover_work, cover_ms);
+             return std::make_unique<HeldModel>(culler, to_held_options(aside, up, turn_degrees, repeatable), options,
+                                                std::move(later));
+           }),
+           py::keep_alive<1, 2>(), "culler"_a, py::kw_only(), "aside"_a = held_defaults.way.aside,
+           "up"_a = held_defaults.way.up, "turn_degrees"_a = held_defaults.way.turn_degrees, "later"_a = py::none(),
+           "repeatable"_a = false, "method"_a = "automatic", "occluders"_a = defaults.occluders,
+           "probes"_a = defaults.probes, "near"_a = "surface", "arithmetic"_a = "certified", "test"_a = "conservative",
+           "margin"_a = defaults.margin, "unions"_a = defaults.unions,
+           "cover_size"_a = std::pair{defaults.cover.width, defaults.cover.height}, "cover_work"_a = py::none(),
+           "cover_ms"_a = py::none());
   define_common(held, "HeldCull", "What to draw for the next frame, at this time, by any clock: a HeldFrame.");
 }
 
@@ -150,16 +150,16 @@ void define_held_scenes(py::module_& module) {
   py::class_<HeldScene> held(module, "HeldSceneCull", kOfScenes);
   held.def(
       py::init([](const SharedScene& scene, double aside, double up, double turn_degrees, py::object later, bool repeatable,
-                  const std::pair<int, int>& cover_size, const py::object& cover_triangles, const py::object& cover_ms,
+                  const std::pair<int, int>& cover_size, const py::object& cover_work, const py::object& cover_ms,
                   double margin, std::uint32_t mask, float least_size, bool front_to_back, std::size_t threads) {
         const culler::SceneOptions options =
-            to_scene_options(cover_size, cover_triangles, cover_ms, margin, mask, least_size, front_to_back);
+            to_scene_options(cover_size, cover_work, cover_ms, margin, mask, least_size, front_to_back);
         return std::make_unique<HeldScene>(scene, to_held_options(aside, up, turn_degrees, repeatable), options, threads,
                                            std::move(later));
       }),
       py::keep_alive<1, 2>(), "scene"_a, py::kw_only(), "aside"_a = held_defaults.way.aside, "up"_a = held_defaults.way.up,
       "turn_degrees"_a = held_defaults.way.turn_degrees, "later"_a = py::none(), "repeatable"_a = false,
-      "cover_size"_a = std::pair{defaults.cover.width, defaults.cover.height}, "cover_triangles"_a = py::none(),
+      "cover_size"_a = std::pair{defaults.cover.width, defaults.cover.height}, "cover_work"_a = py::none(),
       "cover_ms"_a = py::none(), "margin"_a = defaults.margin, "mask"_a = defaults.mask,
       "least_size"_a = defaults.least_size, "front_to_back"_a = false, "threads"_a = 1);
   define_common(held, "HeldSceneCull", "What to draw for the next frame, at this time, by any clock: a SceneFrame.");

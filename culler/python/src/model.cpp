@@ -60,16 +60,18 @@ py::dict to_dict(const culler::CullStats& stats) {
                   "shadow_culled_polygons"_a = stats.shadow_culled_polygons, "nodes_visited"_a = stats.nodes_visited,
                   "view_tests"_a = stats.view_tests, "shadow_tests"_a = stats.shadow_tests,
                   "exact_shadow_tests"_a = stats.exact_shadow_tests, "cover_tests"_a = stats.cover_tests,
-                  "cover_triangles"_a = stats.cover_triangles);
+                  "cover_triangles"_a = stats.cover_triangles,
+                  "cover_work"_a = stats.cover_work.drawing + stats.cover_work.asking,
+                  "unasked_polygons"_a = stats.unasked_polygons);
 }
 
 template <class Camera>
 ModelFrame cull_model(const Culler& culler, const Camera& camera, AnyView* view, const std::string& method,
                       std::size_t occluders, std::size_t probes, const std::string& near, const std::string& arithmetic,
                       const std::string& test, double margin, bool unions, const std::pair<int, int>& cover_size,
-                      const py::object& cover_triangles, const py::object& cover_ms) {
-  const culler::CullOptions options = to_cull_options(method, occluders, probes, near, arithmetic, test, margin, unions,
-                                                      cover_size, cover_triangles, cover_ms);
+                      const py::object& cover_work, const py::object& cover_ms) {
+  const culler::CullOptions options =
+      to_cull_options(method, occluders, probes, near, arithmetic, test, margin, unions, cover_size, cover_work, cover_ms);
   FrameRows rows;
   {
     const py::gil_scoped_release others_run;
@@ -152,11 +154,11 @@ template <class Camera>
 void define_cull(py::class_<Culler>& culler) {
   using py::literals::operator""_a;
   const culler::CullOptions defaults;
-  culler.def("cull", &cull_model<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(), "method"_a = "frusta",
+  culler.def("cull", &cull_model<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(), "method"_a = "automatic",
              "occluders"_a = defaults.occluders, "probes"_a = defaults.probes, "near"_a = "surface",
              "arithmetic"_a = "certified", "test"_a = "conservative", "margin"_a = defaults.margin,
              "unions"_a = defaults.unions, "cover_size"_a = std::pair{defaults.cover.width, defaults.cover.height},
-             "cover_triangles"_a = py::none(), "cover_ms"_a = py::none(), "What to draw: a ModelFrame.");
+             "cover_work"_a = py::none(), "cover_ms"_a = py::none(), "What to draw: a ModelFrame.");
 }
 
 }  // namespace
@@ -170,17 +172,20 @@ void append_drawn(const Culler& culler, const std::vector<culler::PolygonRange>&
 }
 
 culler::Method to_method(const std::string& name) {
-  return to_choice(name, "method", {std::pair{"frusta", culler::Method::frusta}, {"cover", culler::Method::cover}});
+  return to_choice(name, "method",
+                   {std::pair{"automatic", culler::Method::automatic},
+                    {"frusta", culler::Method::frusta},
+                    {"cover", culler::Method::cover}});
 }
 
 culler::CullOptions to_cull_options(const std::string& method, std::size_t occluders, std::size_t probes,
                                     const std::string& near, const std::string& arithmetic, const std::string& test,
                                     double margin, bool unions, const std::pair<int, int>& cover_size,
-                                    const py::object& cover_triangles, const py::object& cover_ms) {
+                                    const py::object& cover_work, const py::object& cover_ms) {
   if (!(margin >= 0)) throw std::invalid_argument("margin is below 0 or not a number");
   return {
       .method = to_method(method),
-      .cover = to_cover_options(cover_size, cover_triangles, cover_ms),
+      .cover = to_cover_options(cover_size, cover_work, cover_ms),
       .occluders = occluders,
       .probes = probes,
       .shadow_near =
@@ -224,7 +229,7 @@ void define_models(py::module_& module) {
             const py::gil_scoped_release others_run;
             c.prepare(chosen);
           },
-          "method"_a = "frusta", "Makes what frames by this method need; else the first of them does.")
+          "method"_a = "automatic", "Makes what frames by this method need; else the first of them does.")
       .def(
           "__len__", [](const Culler& c) { return c.hierarchy().soup().size(); }, "The number of polygons.")
       .def("__repr__", [](const Culler& c) { return described("Culler", count_of(c.hierarchy().soup().size(), "polygon")); })

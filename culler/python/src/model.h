@@ -33,7 +33,7 @@ void append_drawn(const culler::Culler& culler, const std::vector<culler::Polygo
 [[nodiscard]] culler::CullOptions to_cull_options(const std::string& method, std::size_t occluders, std::size_t probes,
                                                   const std::string& near, const std::string& arithmetic,
                                                   const std::string& test, double margin, bool unions,
-                                                  const std::pair<int, int>& cover_size, const py::object& cover_triangles,
+                                                  const std::pair<int, int>& cover_size, const py::object& cover_work,
                                                   const py::object& cover_ms);
 
 }  // namespace occlude::python

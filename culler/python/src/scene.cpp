@@ -127,7 +127,8 @@ py::dict to_dict(const culler::SceneStats& stats) {
                   "too_small"_a = stats.too_small, "occluders"_a = stats.occluders,
                   "nodes_visited"_a = stats.work.nodes_visited, "view_tests"_a = stats.work.view_tests,
                   "cover_tests"_a = stats.work.cover_tests, "cover_groups"_a = stats.work.cover_groups,
-                  "cover_groups_left"_a = stats.work.cover_groups_left, "cover_triangles"_a = stats.work.cover_triangles);
+                  "cover_groups_left"_a = stats.work.cover_groups_left, "cover_triangles"_a = stats.work.cover_triangles,
+                  "cover_work"_a = stats.work.cover_work.drawing);
 }
 
 /// A view against which a frame of a scene is held.
@@ -138,11 +139,12 @@ const culler::SceneView& scene_view_of(const AnyView& held) {
 
 template <class Camera>
 SceneFrame cull_scene(const SharedScene& scene, const Camera& camera, AnyView* given, const std::pair<int, int>& cover_size,
-                      const py::object& cover_triangles, const py::object& cover_ms, double margin, std::uint32_t mask,
-                      float least_size, bool front_to_back, bool to_be_held, const AnyView* held, std::size_t threads) {
+                      const py::object& cover_work, const py::object& cover_ms, double margin, std::uint32_t mask,
+                      float least_size, bool front_to_back, bool adaptive, bool to_be_held, const AnyView* held,
+                      std::size_t threads) {
   const culler::Executor executor = on_threads(threads);
-  culler::SceneOptions options =
-      to_scene_options(cover_size, cover_triangles, cover_ms, margin, mask, least_size, front_to_back);
+  culler::SceneOptions options = to_scene_options(cover_size, cover_work, cover_ms, margin, mask, least_size, front_to_back);
+  options.is_adaptive = adaptive;
   options.is_to_be_held = to_be_held;
   options.executor = &executor;
   AnyView own;
@@ -372,13 +374,15 @@ void define_occluders(Class& scene) {
 template <class Camera>
 void define_cull(Class& scene) {
   using py::literals::operator""_a;
-  scene.def("cull", &cull_scene<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(),
-            "cover_size"_a = std::pair{culler::CoverOptions{}.width, culler::CoverOptions{}.height},
-            "cover_triangles"_a = py::none(), "cover_ms"_a = py::none(), "margin"_a = 0.0, "mask"_a = kAllLayers,
-            "least_size"_a = 0.0F, "front_to_back"_a = false, "to_be_held"_a = false, "held"_a = py::none(), "threads"_a = 1,
-            "What to draw: a SceneFrame. It does not depend on the number of threads, which are started for this call. With "
-            "`held`, a view, what hid in its last frame hides, and each object is asked where it is now. That frame was "
-            "to_be_held, in which occluders that move hide nothing, and holds().");
+  scene.def(
+      "cull", &cull_scene<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(),
+      "cover_size"_a = std::pair{culler::CoverOptions{}.width, culler::CoverOptions{}.height}, "cover_work"_a = py::none(),
+      "cover_ms"_a = py::none(), "margin"_a = 0.0, "mask"_a = kAllLayers, "least_size"_a = 0.0F, "front_to_back"_a = false,
+      "adaptive"_a = true, "to_be_held"_a = false, "held"_a = py::none(), "threads"_a = 1,
+      "What to draw: a SceneFrame. It does not depend on the number of threads, which are started for this call. If it "
+      "is `adaptive`, it looks less where frames of the view have hidden less than a quarter of what is in view. With "
+      "`held`, a view, what hid in its last frame hides, and each object is asked where it is now. That frame was "
+      "to_be_held, in which occluders that move hide nothing, and holds().");
   scene.def("holds", &holds<Camera>, "held"_a, "camera"_a, py::kw_only(), "mask"_a = kAllLayers, "least_size"_a = 0.0F,
             "Whether frames of this camera, with these options, can be held against the last frame of the view `held`: it "
             "holds for the camera, and no update has since removed or changed an occluder that stands still.");
@@ -391,10 +395,10 @@ culler::Executor on_threads(std::size_t threads) {
   return culler::Executor::own_threads(threads);
 }
 
-culler::SceneOptions to_scene_options(const std::pair<int, int>& cover_size, const py::object& cover_triangles,
+culler::SceneOptions to_scene_options(const std::pair<int, int>& cover_size, const py::object& cover_work,
                                       const py::object& cover_ms, double margin, std::uint32_t mask, float least_size,
                                       bool front_to_back) {
-  return {.cover = to_cover_options(cover_size, cover_triangles, cover_ms),
+  return {.cover = to_cover_options(cover_size, cover_work, cover_ms),
           .margin = margin,
           .mask = mask,
           .least_size = least_size,

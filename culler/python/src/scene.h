@@ -75,7 +75,7 @@ struct SceneRows {
 [[nodiscard]] culler::Executor on_threads(std::size_t threads);
 
 /// How frames are asked for.
-[[nodiscard]] culler::SceneOptions to_scene_options(const std::pair<int, int>& cover_size, const py::object& cover_triangles,
+[[nodiscard]] culler::SceneOptions to_scene_options(const std::pair<int, int>& cover_size, const py::object& cover_work,
                                                     const py::object& cover_ms, double margin, std::uint32_t mask,
                                                     float least_size, bool front_to_back);
 

@@ -172,9 +172,9 @@ py::array_t<double> to_array(const std::vector<culler::HalfSpace>& planes) {
   return to_array(std::move(numbers), {static_cast<py::ssize_t>(planes.size()), 4});
 }
 
-culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& triangles, const py::object& ms) {
+culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& work, const py::object& ms) {
   culler::CoverOptions options{.width = size.first, .height = size.second};
-  if (!triangles.is_none()) options.triangles = to_option<std::size_t>(triangles, "cover_triangles is no number from 0 on");
+  if (!work.is_none()) options.work = to_option<std::size_t>(work, "cover_work is no number from 0 on");
   if (!ms.is_none()) options.ms = to_option<double>(ms, "cover_ms is no number");
   return options;
 }

@@ -31,7 +31,7 @@ struct AnyView {
 [[nodiscard]] py::array_t<double> to_array(const std::vector<culler::HalfSpace>& planes);
 
 /// How the coarse picture is asked for.
-[[nodiscard]] culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& triangles,
+[[nodiscard]] culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& work,
                                                     const py::object& ms);
 
 /// How far the eye may leave its way, and the camera turn.

@@ -85,7 +85,7 @@ class OpenStore {
     std::vector<std::uint64_t> hashes;
     for (const StoreSection& section : table_) {
       const std::string_view name(section.name.data());
-      if (culler::Culler::method_of(name).value_or(method) != method) {
+      if (is_by_cover(culler::Culler::method_of(name).value_or(method)) != is_by_cover(method)) {
         parts.left_out += section.bytes;
         continue;
       }

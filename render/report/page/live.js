@@ -8,7 +8,7 @@ const kLongestStep = 0.1;  // seconds: after a pause nobody jumps
 const kLongestWay = 100000;  // frames, half an hour
 
 /** What the sliders mean. */
-const trianglesOf = value => value === 28 ? Infinity : Math.round(100 * 10 ** (value / 7));
+const budgetOf = value => value === 28 ? Infinity : 0.1 * 10 ** (value / 14);
 const pixelsOf = value => value === 0 ? 0 : 2 ** (value - 8);
 
 const grouped = number => Math.round(number).toLocaleString('en-US');
@@ -115,10 +115,10 @@ class LivePage {
   setOptions() {
     const value = id => Number(byId(id).value);
     const method = document.querySelector('input[name=method]:checked').value;
-    const triangles = trianglesOf(value('budget')), pixels = pixelsOf(value('margin'));
-    this.options = {method, occluders: value('occluders'), triangles, margin: pixels / this.start.height};
+    const budget = budgetOf(value('budget')), pixels = pixelsOf(value('margin'));
+    this.options = {method, occluders: value('occluders'), budget, margin: pixels / this.start.height};
     byId('occludersValue').textContent = this.options.occluders;
-    byId('budgetValue').textContent = triangles === Infinity ? 'all' : grouped(triangles);
+    byId('budgetValue').textContent = budget === Infinity ? 'none' : budget.toPrecision(2);
     byId('marginValue').textContent = pixels === 0 || pixels >= 1 ? pixels : `1/${1 / pixels}`;
     byId('viewer').classList.toggle('cover', method === 'cover');
     byId('viewer').classList.toggle('frusta', method === 'frusta');

@@ -44,10 +44,10 @@ class LiveCuller {
     this.model = new Model({low: corner(false), step: module.occlude_grid_step(), steps: corner(true)}, parts);
   }
 
-  /** Culls the next frame; returns its milliseconds. `options` has method, occluders, triangles, margin (of the height). */
-  cull(eye, target, aspect, {method, occluders, triangles, margin}) {
+  /** Culls the next frame; returns its milliseconds. `options` has method, occluders, budget (ms), margin (of the height). */
+  cull(eye, target, aspect, {method, occluders, budget, margin}) {
     const start = performance.now();
-    const isDone = this.module.occlude_cull(...eye, ...target, aspect, method === 'cover', occluders, triangles, margin);
+    const isDone = this.module.occlude_cull(...eye, ...target, aspect, method === 'cover', occluders, budget, margin);
     const ms = performance.now() - start;
     this.require(isDone);
     return ms;

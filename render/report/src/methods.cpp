@@ -63,17 +63,21 @@ Methods methods_of(const std::vector<MethodWalk>& walks, bool is_drawn) {
   return methods;
 }
 
-WalkOptions options_beside(WalkOptions options) {
+std::vector<WalkOptions> options_beside(const WalkOptions& options) {
+  using culler::Method;
+  std::vector<WalkOptions> others;
   if (options.hold > 0) {
-    options.hold = 0;
-    return options;
+    others.emplace_back(options).hold = 0;
+    return others;
   }
-  culler::Method& method = options.cull.method;
-  std::uint32_t& leaf = options.build.hierarchy.leaf_size;
-  const bool is_best = leaf == culler::leaf_size_for(method);
-  method = method == culler::Method::cover ? culler::Method::frusta : culler::Method::cover;
-  if (is_best) leaf = culler::leaf_size_for(method);
-  return options;
+  const bool is_best = options.build.hierarchy.leaf_size == culler::leaf_size_for(options.cull.method);
+  for (const Method method : {Method::automatic, Method::frusta, Method::cover}) {
+    if (method == options.cull.method) continue;
+    WalkOptions& other = others.emplace_back(options);
+    other.cull.method = method;
+    if (is_best) other.build.hierarchy.leaf_size = culler::leaf_size_for(method);
+  }
+  return others;
 }
 
 WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options) {
@@ -81,7 +85,29 @@ WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, con
   return walk_frames(culler, path, options, drawing);
 }
 
-const char* text_of(culler::Method method) { return method == culler::Method::cover ? "joined shadows" : "shadow frusta"; }
+const char* name_of(culler::Method method) {
+  switch (method) {
+    case culler::Method::automatic:
+      return "automatic";
+    case culler::Method::frusta:
+      return "frusta";
+    case culler::Method::cover:
+      return "cover";
+  }
+  return "";
+}
+
+const char* text_of(culler::Method method) {
+  switch (method) {
+    case culler::Method::automatic:
+      return "automatic";
+    case culler::Method::frusta:
+      return "shadow frusta";
+    case culler::Method::cover:
+      return "joined shadows";
+  }
+  return "";
+}
 
 std::string method_text(const WalkOptions& options) {
   return std::string(text_of(options.cull.method)) + (options.hold > 0 ? ", held" : "");

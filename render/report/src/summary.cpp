@@ -245,7 +245,7 @@ Json json_of(const WalkOptions& options, const culler::BuildConfig& build) {
   const culler::Objective& objective = options.cull.objective;
   return {{"size", {options.width, options.height}},
           {"cover_size", {options.cull.cover.width, options.cull.cover.height}},
-          {"cover_triangles", if_limited(options.cull.cover.triangles)},
+          {"budget_work", if_limited(options.cull.cover.work)},
           {"budget_ms", if_limited(options.cull.cover.ms)},
           {"leaf", build.hierarchy.leaf_size},
           {"occluders", options.cull.occluders},
@@ -283,7 +283,7 @@ Json json_of(const Summary& summary) {
             {"see_through_polygons", summary.see_through_polygons},
             {"triangles", summary.triangles},
             {"frames", summary.frames},
-            {"method", summary.options.cull.method == culler::Method::cover ? "cover" : "frusta"},
+            {"method", name_of(summary.options.cull.method)},
             {"options", json_of(summary.options, summary.build)},
             {"mean",
              {{"view_frustum_polygons", mean.view_frustum_polygons},

@@ -91,7 +91,7 @@ constexpr auto kConditions = std::to_array<Condition>({
     {"method", Type::text},
     {"options.size", Type::size},
     {"options.cover_size", Type::size},
-    {"options.cover_triangles", Type::whole},
+    {"options.budget_work", Type::whole},
     {"options.budget_ms", Type::amount},
     {"options.leaf", Type::whole},
     {"options.occluders", Type::whole},

@@ -53,7 +53,7 @@ std::string facts(const Summary& summary) {
   return html;
 }
 
-bool is_cover(const Summary& summary) { return summary.options.cull.method == culler::Method::cover; }
+bool is_cover(const Summary& summary) { return culler::is_by_cover(summary.options.cull.method); }
 
 std::string lead(const Summary& summary) {
   return fmt::format("{} polygons, {} frames. After Hudson et al. 1997, section 6.3.{}",

@@ -118,7 +118,7 @@ glm::dvec3 HeldAlongPath::way_from(std::size_t frame) const {
 const culler::CullResult& HeldAlongPath::result() {
   if (is_of_point_) return model_.frame_by_point();
   if (is_told_) return result_;
-  const culler::CullOptions view_only{.occluders = 0, .arithmetic = walk_.cull.arithmetic};
+  const culler::CullOptions view_only{.method = culler::Method::frusta, .occluders = 0, .arithmetic = walk_.cull.arithmetic};
   const culler::CullResult& region = model_.frame_of_region();
   result_ = joined(culler_.hierarchy(), culler_.cull(camera_, view_only, view_alone_), region);
   if (is_new_) {  // what was done is what the region took

@@ -92,7 +92,7 @@ void prepare(const culler::Culler& culler, const WalkOptions& options) {
   }
   culler.prepare(options.cull.method, check_interrupt);
   // The first frame by the view frustum alone makes what the others need.
-  static_cast<void>(culler.cull(culler::Camera{}, {.occluders = 0}));
+  static_cast<void>(culler.cull(culler::Camera{}, {.method = culler::Method::frusta, .occluders = 0}));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ class Walker {
  public:
   Walker(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options, SceneRenderer* renderer)
       : culler_(culler), path_(path), options_(options), renderer_(renderer) {
+    view_only_.method = culler::Method::frusta;
     view_only_.occluders = 0;
     view_only_.arithmetic = options.cull.arithmetic;
   }

@@ -16,9 +16,13 @@ namespace occlude::culler {
 
 /// What hides.
 enum class Method {
-  frusta,  ///< the shadows of a few chosen occluders, each on its own: the paper's method
-  cover,   ///< everything that is found visible, front to back, joined in a coarse picture
+  frusta,     ///< the shadows of a few chosen occluders, each on its own: the paper's method
+  cover,      ///< everything that is found visible, front to back, joined in a coarse picture
+  automatic,  ///< cover, as far as it pays: the default
 };
+
+/// Whether frames of this method are made by cover.
+[[nodiscard]] constexpr bool is_by_cover(Method method) { return method != Method::frusta; }
 
 enum class Projection { perspective, orthographic };
 

@@ -115,7 +115,7 @@ class Culler {
   /// Makes what frames by a method need: about two seconds for a million polygons by frusta, up to one by cover. Otherwise
   /// the first such frame makes it, on all processors. It is made once. Throws std::runtime_error while the processor does
   /// not round to nearest, and what `checkpoint` throws; the next call tries again.
-  void prepare(Method method, const Checkpoint& checkpoint = {}) const;
+  void prepare(Method method = Method::automatic, const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for this camera, by options.method. Nothing visible is culled if options.arithmetic is certified. By
   /// frusta, a frame without a view has no probes and chooses occluders by what they look like alone. Throws
@@ -219,7 +219,7 @@ enum class Missed {
   not_chosen,      ///< the polygon is in the shadow of an occluder of the region's list that the frame did not choose
   no_single_one,   ///< no occluder of the list hides it alone: several do, or what it shows is less than a pixel
   beyond_picture,  ///< its box reaches beyond the coarse picture or in front of the near plane
-  over_budget,     ///< it would be hidden if the options set no budget for what is drawn into the picture
+  over_budget,     ///< it would be culled if the options set no budget; asked before all others but the first
   open_pixel,      ///< a pixel that its box touches is open: a border runs there, or nothing closes it
   not_behind       ///< all pixels that its box touches are closed, but in one of them not strictly in front of the box
 };
@@ -228,7 +228,7 @@ inline constexpr std::size_t kMissedReasons = 10;
 /// Whether a frame by this method can miss a polygon for this reason.
 [[nodiscard]] constexpr bool is_of(Missed reason, Method method) {
   if (reason <= Missed::coarse_node) return true;
-  return (reason >= Missed::beyond_picture) == (method == Method::cover);
+  return (reason >= Missed::beyond_picture) == is_by_cover(method);
 }
 
 [[nodiscard]] constexpr std::string_view to_string(Missed reason) {
@@ -316,15 +316,15 @@ class MissedReasons {
   [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p, Work& work) const;
   [[nodiscard]] bool hides(const Shadow& shadow, const kernel::Aabb& box, Work& work) const;
   [[nodiscard]] bool is_out_of_view(std::uint32_t p, Work& work) const;
-  [[nodiscard]] Missed missed_by_cover(const kernel::Aabb& box, Work& work) const;
+  [[nodiscard]] Missed missed_by_cover(std::uint32_t p, const kernel::Aabb& box, Work& work) const;
 
   const Culler& culler_;
   const Hierarchy& hierarchy_;
   const CullResult& frame_;
   std::vector<Shadow> chosen_, others_;
-  std::shared_ptr<const ShadowMargin> margin_;    ///< of a frame by frusta
-  std::shared_ptr<const CoverBuffer> cover_;      ///< of a frame by cover
-  std::shared_ptr<const CoverBuffer> unlimited_;  ///< the same without a budget, if the frame has spent one
+  std::shared_ptr<const ShadowMargin> margin_;   ///< of a frame by frusta
+  std::shared_ptr<const CoverBuffer> cover_;     ///< of a frame by cover
+  std::shared_ptr<const CullResult> unlimited_;  ///< the frame without a budget, if it has spent one
 };
 
 }  // namespace occlude::culler

@@ -65,7 +65,7 @@ class HeldCull {
   /// `cull` is of all culls: its margin is a share of the height of the picture of the cameras that are culled for, and its
   /// executor does frames by point. REQUIRES: the culler and that executor outlive this. Throws std::invalid_argument for an
   /// options.way that ahead() refuses.
-  explicit HeldCull(const Culler& culler, HeldOptions options = {}, const CullOptions& cull = {.method = Method::cover});
+  explicit HeldCull(const Culler& culler, HeldOptions options = {}, const CullOptions& cull = {});
   ~HeldCull();
   HeldCull(HeldCull&&) noexcept;
   HeldCull& operator=(HeldCull&&) noexcept;

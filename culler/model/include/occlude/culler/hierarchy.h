@@ -49,7 +49,7 @@ class Hierarchy {
   struct Config {
     /// The most polygons of a leaf; 0 counts as 1. Smaller leaves cull more, but cost more tests and make more, shorter draw
     /// ranges.
-    std::uint32_t leaf_size = 16;
+    std::uint32_t leaf_size = 4;
     Bounds bounds = Bounds::aabb;
   };
 

@@ -88,6 +88,9 @@ struct SceneOptions {
   /// Whether only occluders hide that stand still (OccluderOptions::moves), for a frame that later ones are held against.
   /// With a `least_size` those that an object draws hide nothing either: seen from elsewhere it may be too small.
   bool is_to_be_held = false;
+  /// Whether frames look less where those before them in the view have hidden less than a quarter of the objects in view,
+  /// until there is more to hide. Otherwise a frame does not depend on those before it.
+  bool is_adaptive = true;
   /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
   /// result is the same, and so is the order of the list. What it throws is thrown on, and all objects that take part are
   /// drawn then.
@@ -155,7 +158,8 @@ struct ObjectWitness {
 
 /// One camera, and its last frame.
 /// 1. One thread at a time may cull with it. Different views may be culled at once.
-/// 2. It may be used with any scene at any time. A frame does not depend on those before it.
+/// 2. It may be used with any scene at any time. A frame does not depend on those before it, but for
+///    SceneOptions::is_adaptive.
 /// 3. After its first frame nothing more is allocated. Exceptions: culler/README.md, Budgets.
 /// 4. A view that was moved from may only be destroyed or assigned to.
 class SceneView {

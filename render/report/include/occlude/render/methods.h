@@ -39,13 +39,15 @@ struct MethodWalk {
 /// if frames were drawn. REQUIRES: at least one walk.
 [[nodiscard]] Methods methods_of(const std::vector<MethodWalk>& walks, bool is_drawn);
 
-/// The options of the same walk by the other method, with leaves of the size that is best for it if that is so now. Of a
+/// The options of the same walk by each other method, with leaves of the size that is best for it if that is so now. Of a
 /// walk that holds: by the same method, culled in each frame.
-[[nodiscard]] WalkOptions options_beside(WalkOptions options);
+[[nodiscard]] std::vector<WalkOptions> options_beside(const WalkOptions& options);
 /// Walks without a report. REQUIRES: the culler is that of make_culler() with these options.
 [[nodiscard]] WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options);
 
-/// In words: "shadow frusta" or "joined shadows".
+/// As options and files have it.
+[[nodiscard]] const char* name_of(culler::Method method);
+/// In words.
 [[nodiscard]] const char* text_of(culler::Method method);
 /// The same of a walk, and whether it holds.
 [[nodiscard]] std::string method_text(const WalkOptions& options);

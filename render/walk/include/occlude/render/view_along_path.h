@@ -10,7 +10,7 @@
 
 namespace occlude::render {
 
-/// With shadow frusta, the culling of a frame depends on the frames before it. This class gives a frame the same history for
+/// But by cover, the culling of a frame depends on the frames before it. This class gives a frame the same history for
 /// every step of a walk.
 class ViewAlongPath {
  public:
@@ -24,7 +24,9 @@ class ViewAlongPath {
   [[nodiscard]] culler::View& before(std::size_t frame);
   [[nodiscard]] const culler::View& view() const { return view_; }
   /// Whether the culling of a frame depends on the frames before it.
-  [[nodiscard]] bool has_past() const { return cull_.method == culler::Method::frusta && cull_.occluders > 0; }
+  [[nodiscard]] bool has_past() const {
+    return cull_.method == culler::Method::automatic || (cull_.method == culler::Method::frusta && cull_.occluders > 0);
+  }
 
  private:
   const culler::Culler& culler_;
