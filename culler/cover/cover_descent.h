@@ -71,10 +71,28 @@ class CoverDescent {
     BlockDescent(tree_, *this).visit(0, {straddled_planes, is_few});
     if (is_few) nodes_.join();
   }
+  /// The same from a block with few items.
+  void run_few(std::uint32_t block, std::uint32_t straddled_planes) {
+    BlockDescent(tree_, *this).visit(block, {straddled_planes, true});
+    nodes_.join();
+  }
+
+  using Tested = TestedBlock<decltype(std::declval<const Nodes&>().boxes(std::declval<const TreeBlock&>()))>;
+  /// The nodes of a block, those that are culled told to `nodes`. It enters none.
+  [[nodiscard]] Tested test(const TreeBlock& block, std::uint32_t straddled_planes) {
+    Tested tested(block, nodes_.boxes(block), nodes_.asked(block), straddled_planes);
+    stats_.nodes_visited += kernel::count(tested.left);
+    if (straddled_planes != 0 && tested.left != 0) keep_in_view(tested, straddled_planes);
+    if (tested.left == 0) return tested;
+    tested.seen.project(buffer_.box_picture(), tested.boxes);
+    tested.groups = stats_.cover_groups;
+    stats_.cover_tests += kernel::count(tested.left);
+    cull(tested, buffer_.hidden(tested.seen, tested.left), {0, Culled::By::cover});
+    return tested;
+  }
 
  private:
   using Bits = kernel::BoxBits;
-  using Tested = TestedBlock<decltype(std::declval<const Nodes&>().boxes(std::declval<const TreeBlock&>()))>;
 
   friend class BlockDescent<CoverDescent>;
   struct State {
@@ -122,18 +140,6 @@ class CoverDescent {
       nodes_.prefetch(tested.block.items(i));
     });
     for_each_bit(entered, [&](std::uint32_t i) { enter(i, State{tested.straddled_planes[i], true}); });
-  }
-
-  Tested test(const TreeBlock& block, std::uint32_t straddled_planes) {
-    Tested tested(block, nodes_.boxes(block), nodes_.asked(block), straddled_planes);
-    stats_.nodes_visited += kernel::count(tested.left);
-    if (straddled_planes != 0 && tested.left != 0) keep_in_view(tested, straddled_planes);
-    if (tested.left == 0) return tested;
-    tested.seen.project(buffer_.box_picture(), tested.boxes);
-    tested.groups = stats_.cover_groups;
-    stats_.cover_tests += kernel::count(tested.left);
-    cull(tested, buffer_.hidden(tested.seen, tested.left), {0, Culled::By::cover});
-    return tested;
   }
 
   /// Culls the nodes that are out of view.

@@ -15,8 +15,9 @@
 #include "occlude/culler/scene.h"
 #include "occlude/kernel/half_space.h"
 #include "scene/object_listing.h"
-#include "scene/scene_objects.h"
+#include "scene/occluder_descent.h"
 #include "scene/scene_occluders.h"
+#include "scene/scene_things.h"
 
 namespace occlude::culler {
 
@@ -42,6 +43,7 @@ struct SceneView::Memory {
   std::uint32_t mask = 0;
   float least_size = 0;
   CoverMemory cover;
+  OccluderMemory occluders;
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;
   std::vector<Part> parts;

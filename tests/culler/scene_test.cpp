@@ -32,7 +32,7 @@
 #include "occlude/kernel/half_space.h"
 #include "scene/scene_frame.h"
 #include "scene/scene_number.h"
-#include "scene/scene_objects.h"
+#include "scene/scene_things.h"
 #include "scenes.h"
 
 namespace scene_test {
@@ -1245,10 +1245,8 @@ TEST(SceneObjects, GroupsStaySmallEnoughToBeBuiltAnew) {
   SceneNumber number;
   SceneObjects objects(number);
   const auto add = [&](std::size_t count) {
-    std::vector<Box> boxes;
-    while (boxes.size() < count) boxes.push_back(random_box(random));
-    std::vector<ObjectId> ids(count);
-    objects.add(boxes, {}, ids);
+    std::vector<ObjectId> ids;
+    while (ids.size() < count) ids.push_back(objects.add(random_box(random), {}));
     objects.update({});
     return ids;
   };
