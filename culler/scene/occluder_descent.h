@@ -69,11 +69,7 @@ struct StandingBoxes {
 struct PlacedBoxes {
   const Placement& placement;
 
-  kernel::BoxBlock operator()(const TreeBlock& block) const {
-    kernel::BoxBlock boxes;
-    for (std::uint32_t i = 0; i < block.size(); ++i) boxes.set(i, placed(placement, block.boxes.box(i)));
-    return boxes;
-  }
+  kernel::BoxBlock operator()(const TreeBlock& block) const { return nearly_placed(placement, block.boxes); }
 };
 
 /// takes_part(standing) says whether an occluder may hide in the frame. joined(painter, standing) is called after each group

@@ -134,7 +134,9 @@ class WorldJudge {
  public:
   WorldJudge(Random& random, Report& report) : random_(random), report_(report), soup_(some_soup(random)) {
     meshes_.push_back(mesh_of(box_soup()));
-    meshes_.push_back(mesh_of(wall_soup(random.integer(0, 2), static_cast<std::uint32_t>(random.integer(1, 5)))));
+    // A mesh of many panels is descended in several steps, between those of others.
+    const int panels = random.chance(0.03) ? 18 : random.integer(1, 5);
+    meshes_.push_back(mesh_of(wall_soup(random.integer(0, 2), static_cast<std::uint32_t>(panels))));
     meshes_.push_back(mesh_of(soup_));
     meshes_.push_back(mesh_of({}));
   }

@@ -677,6 +677,27 @@ long double reach_of_corners(const Aabb& local, const Placement& at, const Obb& 
   return reach;
 }
 
+TEST(Placement, EightBoxesAreWhereEachIsUpToRounding) {
+  std::mt19937 random(kSeed);
+  for (int i = 0; i < 500; ++i) {
+    const Placement at{random_vector(random, -1, 1), random_vector(random, -1, 1), random_vector(random, -1, 1),
+                       random_vector(random, -9, 9)};
+    kernel::BoxBlock boxes;
+    for (std::size_t k = 0; k < kernel::BoxBlock::kBoxes; ++k) {
+      const Vec3 low = random_vector(random, -2, 2), size = random_vector(random, 0, 3);
+      boxes.set(k, {low, {low.x + size.x, low.y + size.y, low.z + size.z}});
+    }
+    const kernel::BoxBlock nearly = nearly_placed(at, boxes);
+    for (std::size_t k = 0; k < kernel::BoxBlock::kBoxes; ++k) {
+      const Aabb one = placed(at, boxes.box(k)), of_eight = nearly.box(k);
+      for (int axis = 0; axis < 3; ++axis) {
+        ASSERT_NEAR(of_eight.min[axis], one.min[axis], 1e-12) << "seed " << kSeed << ", " << i;
+        ASSERT_NEAR(of_eight.max[axis], one.max[axis], 1e-12) << "seed " << kSeed << ", " << i;
+      }
+    }
+  }
+}
+
 TEST(Placement, BoxesOfObjectsHoldWhatIsPlaced) {
   std::mt19937 random(kSeed);
   std::size_t oriented = 0;
