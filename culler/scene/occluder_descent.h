@@ -173,11 +173,15 @@ class OccluderDescent {
     memory_.sources.clear();
     // In trees of eight, fewer nodes are above the occluders than there are of these, and at most four above a small group.
     const std::size_t nodes = 2 * boxes_.seen_size() + 4 * boxes_.groups().size() + occluders_.meshes().nodes;
-    memory_.nodes.reserve(std::bit_ceil(nodes));
-    memory_.turns.reserve(std::bit_ceil(nodes));
-    memory_.sources.reserve(std::bit_ceil(boxes_.seen_size()));
-    painter_.reserve(occluders_.meshes().triangles);
+    memory_.nodes.reserve(std::bit_ceil(std::min(nodes, kMostReserved)));
+    memory_.turns.reserve(std::bit_ceil(std::min(nodes, kMostReserved)));
+    memory_.sources.reserve(std::bit_ceil(std::min(boxes_.seen_size(), kMostReserved)));
+    painter_.reserve(std::min(occluders_.meshes().triangles, kMostTrianglesReserved));
   }
+
+  /// Memory is reserved for no more nodes, occluders and triangles of these, which is 30 MB of addresses. Frames of the
+  /// models tried, whole or in tiles, have 3,000 nodes and a million triangles at most; those that look at more allocate.
+  static constexpr std::size_t kMostReserved = std::size_t{1} << 16U, kMostTrianglesReserved = std::size_t{1} << 22U;
 
   [[nodiscard]] int worth() const { return worth_closing(kWorthOfOccluder, stats_.work.cover_triangles); }
 
@@ -220,7 +224,12 @@ class OccluderDescent {
     std::ranges::pop_heap(memory_.turns, std::greater());
     const std::uint32_t node = memory_.turns.back().node;
     memory_.turns.pop_back();
+    if (!memory_.turns.empty()) prefetch(memory_.nodes[memory_.turns.front().node]);
     return memory_.nodes[node];
+  }
+  /// What comes after the next node most often.
+  void prefetch(const Node& node) const {
+    if (node.level == Level::mesh) tree_of(*memory_.sources[node.of].occluder).prefetch(node.block->below[node.i]);
   }
 
   void visit(const Node& node) {
