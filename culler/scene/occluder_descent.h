@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -193,10 +194,10 @@ class OccluderDescent {
     }
     const Standing* const occluder = above.level == Level::mesh ? memory_.sources[above.of].occluder : nullptr;
     if (occluder == nullptr || occluder->is_identity) {
-      Nodes nodes(*this, StandingBoxes{});
+      Nodes<StandingBoxes> nodes(*this, StandingBoxes{});
       wait(above, descent(tree, nodes).test(tree[block], straddled_planes));
     } else {
-      Nodes nodes(*this, PlacedBoxes{occluder->placement});
+      Nodes<PlacedBoxes> nodes(*this, PlacedBoxes{occluder->placement});
       wait(above, descent(tree, nodes).test(tree[block], straddled_planes));
     }
   }
@@ -315,7 +316,7 @@ class OccluderDescent {
   }
   template <class BoxesOf>
   void close_few(Source& source, const BoxesOf& boxes_of, std::uint32_t block, std::uint32_t straddled_planes) {
-    ClosingNodes nodes(*this, boxes_of, source);
+    ClosingNodes<BoxesOf> nodes(*this, boxes_of, source);
     descent(tree_of(*source.occluder), nodes).run_few(block, straddled_planes);
   }
   void join(Source& source) {
