@@ -65,8 +65,7 @@ struct StandingNodes {
 ///    false for a leaf;
 ///  - is_few(items): whether what is below a node of these items can be visited in any order;
 ///  - spend(work) and leave(block, straddled_planes), of nodes that have a budget: whether so many nodes may be asked; if
-///  not,
-///    leave() is called, and the descent does not visit the block;
+///    not, leave() is called, and the descent does not visit the block;
 ///  - join(): called after each leaf and each subtree of few items, unless it is below such a subtree.
 template <class Nodes>
 class CoverDescent {
@@ -81,10 +80,30 @@ class CoverDescent {
     BlockDescent(tree_, *this).visit(0, {straddled_planes, is_few});
     if (is_few) nodes_.join();
   }
+  /// The same from a block with few items.
+  void run_few(std::uint32_t block, std::uint32_t straddled_planes) {
+    BlockDescent(tree_, *this).visit(block, {straddled_planes, true});
+    nodes_.join();
+  }
+
+  using Tested = TestedBlock<decltype(std::declval<const Nodes&>().boxes(std::declval<const TreeBlock&>()))>;
+  /// The nodes of a block, those that are culled told to `nodes`. It enters none.
+  [[nodiscard]] Tested test(const TreeBlock& block, std::uint32_t straddled_planes) {
+    Tested tested(block, nodes_.boxes(block), nodes_.asked(block), straddled_planes);
+    stats_.nodes_visited += kernel::count(tested.left);
+    if (straddled_planes != 0 && tested.left != 0) keep_in_view(tested, straddled_planes);
+    if (tested.left == 0) return tested;
+    tested.seen.project(buffer_.box_picture(), tested.boxes);
+    tested.groups = stats_.cover_groups;
+    stats_.cover_tests += kernel::count(tested.left);
+    const Bits hidden = buffer_.hidden(tested.seen, tested.left);
+    cull(tested, hidden, {0, Culled::By::cover});
+    tested.left = static_cast<Bits>(tested.left & ~hidden);
+    return tested;
+  }
 
   /// For ways down the tree.
   using State = NodeState;
-
   template <class Enter>
   void visit(const TreeBlock& block, const State& above, const Enter& enter) {
     if constexpr (requires { nodes_.leave(block, 0U); }) {
@@ -100,7 +119,6 @@ class CoverDescent {
 
  private:
   using Bits = kernel::BoxBits;
-  using Tested = TestedBlock<decltype(std::declval<const Nodes&>().boxes(std::declval<const TreeBlock&>()))>;
 
   /// Nearest first.
   template <class Enter>
@@ -131,20 +149,6 @@ class CoverDescent {
       nodes_.prefetch(tested.block.items(i));
     });
     for_each_bit(entered, [&](std::uint32_t i) { enter(i, State{tested.straddled_planes[i], true}); });
-  }
-
-  Tested test(const TreeBlock& block, std::uint32_t straddled_planes) {
-    Tested tested(block, nodes_.boxes(block), nodes_.asked(block), straddled_planes);
-    stats_.nodes_visited += kernel::count(tested.left);
-    if (straddled_planes != 0 && tested.left != 0) keep_in_view(tested, straddled_planes);
-    if (tested.left == 0) return tested;
-    tested.seen.project(buffer_.box_picture(), tested.boxes);
-    tested.groups = stats_.cover_groups;
-    stats_.cover_tests += kernel::count(tested.left);
-    const Bits hidden = buffer_.hidden(tested.seen, tested.left);
-    cull(tested, hidden, {0, Culled::By::cover});
-    tested.left = static_cast<Bits>(tested.left & ~hidden);
-    return tested;
   }
 
   /// Culls the nodes that are out of view.

@@ -31,16 +31,16 @@ CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, d
   memory.group.reserve(kRoom);
   memory.taken.clear();
   memory.taken.reserve(kRoom);
+  if (++memory.stamp == 0) {
+    memory.stamps = {};
+    memory.stamp = 1;
+  }
   budget_ = CullBudget(options, start);
 }
 
 void CoverPainter::use(const CoverSource& source) {
   source_ = &source;
-  if (++memory_.stamp == 0) {
-    memory_.stamps = {};
-    memory_.stamp = 1;
-  }
-  memory_.stamps.grow(source.triangles.size());
+  memory_.stamps.grow(source.first + source.triangles.size());
 }
 
 void CoverPainter::enqueue(const ItemRange& leaf, float nearness) {
@@ -94,7 +94,7 @@ bool CoverPainter::flush_group() {
   }
   memory_.taken.clear();
   group.add_neighbours(source_->triangles, source_->instance, [&](std::uint32_t triangle) { return take_drawn(triangle); });
-  for (const std::uint32_t triangle : group.ids()) memory_.stamps[triangle] = memory_.stamp;
+  for (const std::uint32_t triangle : group.ids()) memory_.stamps[source_->first + triangle] = memory_.stamp;
   ++stats_.cover_groups;
   stats_.cover_triangles += group.ids().size();
   budget_.add(CoverOptions::kWorkOfTriangle * (group.ids().size() - own));
@@ -108,8 +108,8 @@ bool CoverPainter::flush_group() {
 
 /// Whether a triangle was drawn. The next call says that it was not, so that it is added only once.
 bool CoverPainter::take_drawn(std::uint32_t triangle) {
-  if (memory_.stamps.get(triangle) != memory_.stamp) return false;
-  memory_.stamps[triangle] = 0;
+  if (memory_.stamps.get(source_->first + triangle) != memory_.stamp) return false;
+  memory_.stamps[source_->first + triangle] = 0;
   return true;
 }
 

@@ -21,14 +21,15 @@ namespace occlude::culler {
 struct CoverSource {
   const CoverTriangles& triangles;
   OccluderInstance instance = {};  ///< how they stand in the scene
+  std::size_t first = 0;           ///< the number of their first triangle among those of all sources of the frame
 };
 
 /// What is kept from frame to frame, so that only the first allocates.
 struct CoverMemory {
   CoverBuffer buffer;                     ///< what the last frame closed
   CoverGroup group;                       ///< what is being drawn into it
-  SparseZeroArray<std::uint32_t> stamps;  ///< for each triangle, the last source that drew it
-  std::uint32_t stamp = 0;                ///< of the source
+  SparseZeroArray<std::uint32_t> stamps;  ///< for each triangle of the sources, the last frame that drew it
+  std::uint32_t stamp = 0;                ///< of the frame
   struct Taken {
     ItemRange polygons;
     float nearness;  ///< no point of it is nearer
@@ -42,7 +43,10 @@ class CoverPainter {
   /// given outlives this.
   CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory, CullStats& stats);
 
-  /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is enqueued.
+  /// Reserves memory for sources that together have so many triangles.
+  void reserve(std::size_t triangles) { memory_.stamps.grow(triangles); }
+  /// The calls that follow are about this source, which outlives them. A frame may come back to a source. REQUIRES: nothing
+  /// is enqueued.
   void use(const CoverSource& source);
   /// Keeps the polygons of a leaf of the source for flush_group(). No point of it has more than this nearness.
   void enqueue(const ItemRange& leaf, float nearness);

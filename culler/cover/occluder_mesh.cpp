@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/occluder_mesh.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -19,6 +21,14 @@ void drop_negligible(PolygonSoup& soup) {
   }
 }
 
+std::size_t nodes_above_few(const BlockTree& tree) {
+  std::size_t nodes = 0;
+  for (std::uint32_t i = 0; i < tree.size(); ++i) {
+    if (tree[i].items().count > kFewItems) nodes += tree[i].size();
+  }
+  return nodes;
+}
+
 std::unique_ptr<const OccluderMesh::Prepared> prepared(PolygonSoup&& soup, const Checkpoint& checkpoint) {
   drop_negligible(soup);
   require_legal(soup);
@@ -27,6 +37,7 @@ std::unique_ptr<const OccluderMesh::Prepared> prepared(PolygonSoup&& soup, const
   result->tree = Hierarchy::build(std::move(soup), {.leaf_size = leaf_size_for(Method::cover)}, checkpoint);
   result->blocks = HierarchyBlocks(*result->tree, checkpoint);
   result->triangles = CoverTriangles::find(result->tree->soup(), checkpoint);
+  result->size = {result->triangles.size(), nodes_above_few(result->blocks.tree())};
   return result;
 }
 

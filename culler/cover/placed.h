@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "occlude/culler/box.h"
+#include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -37,6 +39,29 @@ namespace occlude::culler {
     }
     result.min[axis] = low - kRounded * size;
     result.max[axis] = high + kRounded * size;
+  }
+  return result;
+}
+
+/// The boxes of a block where they stand, up to rounding: a few times as fast as one by one.
+[[nodiscard]] inline kernel::BoxBlock nearly_placed(const Placement& at, const kernel::BoxBlock& boxes) {
+  const kernel::Vec3* const columns[3] = {&at.x, &at.y, &at.z};
+  kernel::BoxBlock result;
+  for (int axis = 0; axis < 3; ++axis) {
+    kernel::BoxBlock::Row low, high;
+    low.fill(at.origin[axis]);
+    high.fill(at.origin[axis]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double factor = (*columns[k])[axis];
+      const kernel::BoxBlock::Row& from = factor < 0 ? boxes.max[k] : boxes.min[k];
+      const kernel::BoxBlock::Row& to = factor < 0 ? boxes.min[k] : boxes.max[k];
+      for (std::size_t i = 0; i < kernel::BoxBlock::kBoxes; ++i) {
+        low[i] += factor * from[i];
+        high[i] += factor * to[i];
+      }
+    }
+    result.min[static_cast<std::size_t>(axis)] = low;
+    result.max[static_cast<std::size_t>(axis)] = high;
   }
   return result;
 }

@@ -9,7 +9,7 @@
 #include "camera/view_planes.h"
 #include "cover/cover_buffer.h"
 #include "occlude/culler/scene.h"
-#include "scene/object_group.h"
+#include "scene/thing_group.h"
 
 namespace occlude::culler {
 

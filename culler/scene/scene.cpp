@@ -6,6 +6,7 @@
 #include <shared_mutex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 #include <variant>
@@ -14,10 +15,11 @@
 #include "camera/sound_camera.h"
 #include "cover/asked_box.h"
 #include "scene/scene_access.h"
+#include "scene/scene_box.h"
 #include "scene/scene_frame.h"
 #include "scene/scene_number.h"
-#include "scene/scene_objects.h"
 #include "scene/scene_occluders.h"
+#include "scene/scene_things.h"
 
 namespace occlude::culler {
 namespace {
@@ -80,6 +82,13 @@ template <class Parts>
 void require_frame_of(const Parts& scene, const SceneView& view) {
   if (memory_of(view).edition == scene.edition) return;
   throw std::invalid_argument("the view's last frame is not of this scene as the last update() left it");
+}
+
+void require_legal(std::span<const Box> boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const std::string_view reason = fault(boxes[i]);
+    if (!reason.empty()) throw std::invalid_argument("object " + std::to_string(i) + ": " + std::string(reason));
+  }
 }
 
 /// The options that repeat the last frame of the view.
@@ -157,9 +166,10 @@ Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
-ObjectId Scene::add(const Box& box, const ObjectOptions& options) { return parts_->objects.add(box, options); }
+ObjectId Scene::add(const Box& box, const ObjectOptions& options) { return parts_->objects.add(legal_box(box), options); }
 void Scene::add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids) {
-  parts_->objects.add(boxes, options, ids);
+  require_legal(boxes);
+  for (std::size_t i = 0; i < boxes.size(); ++i) ids[i] = parts_->objects.add(legal_box(boxes[i]), options);
 }
 void Scene::remove(ObjectId object) {
   parts_->objects.remove(object);
@@ -169,8 +179,12 @@ void Scene::remove(std::span<const ObjectId> objects) {
   parts_->objects.remove(objects);
   for (const ObjectId object : objects) parts_->remove(object);
 }
-void Scene::move(ObjectId object, const Box& box) { parts_->objects.move(object, box); }
-void Scene::move(std::span<const ObjectId> objects, std::span<const Box> boxes) { parts_->objects.move(objects, boxes); }
+void Scene::move(ObjectId object, const Box& box) { parts_->objects.move(object, legal_box(box)); }
+void Scene::move(std::span<const ObjectId> objects, std::span<const Box> boxes) {
+  parts_->objects.require(objects);
+  require_legal(boxes);
+  for (std::size_t i = 0; i < objects.size(); ++i) parts_->objects.move(objects[i], legal_box(boxes[i]));
+}
 void Scene::set_enabled(ObjectId object, bool is_enabled) {
   parts_->objects.set_enabled(object, is_enabled);
   parts_->change(object);
@@ -216,7 +230,7 @@ void Scene::update(const Executor& executor) {
   const std::unique_lock alone(parts_->seen);
   parts_->edition = new_edition();
   parts_->objects.update(executor);
-  const bool has_lost = parts_->occluders.update();
+  const bool has_lost = parts_->occluders.update(executor);
   if (std::exchange(parts_->has_lost, false) || has_lost) parts_->standing = new_edition();
 }
 

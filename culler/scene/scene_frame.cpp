@@ -11,74 +11,17 @@
 
 #include "cover/cover_descent.h"
 #include "cover/drawn_groups.h"
-#include "cover/opening.h"
 #include "cover/placed.h"
 #include "cover/prepared_mesh.h"
-#include "cover/worth_drawing.h"
 #include "descent/add_counts.h"
 #include "model/bounds.h"
 #include "scene/object_listing.h"
+#include "scene/occluder_descent.h"
 
 namespace occlude::culler {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-/// The boxes of a block where they are.
-struct StandingBoxes {
-  const kernel::BoxBlock& operator()(const TreeBlock& block) const { return block.boxes; }
-};
-/// The boxes of a mesh's block where the mesh stands. They need only be about right: what is not drawn into the coarse
-/// picture hides nothing.
-struct PlacedBoxes {
-  const Placement& placement;
-
-  kernel::BoxBlock operator()(const TreeBlock& block) const {
-    kernel::BoxBlock boxes;
-    for (std::uint32_t i = 0; i < block.size(); ++i) boxes.set(i, placed(placement, block.boxes.box(i)));
-    return boxes;
-  }
-};
-
-/// The nodes of a tree of occluders, or of polygons of one. see(items, straddled_planes, nearness) is called for each leaf
-/// that is seen through more than a slit. Where nothing is, the descent does not enter.
-template <class BoxesOf, class See, class Join>
-class ClosingNodes : public StandingNodes {
- public:
-  ClosingNodes(const BoxesOf& boxes_of, const ViewPlanes& view, const CoverBuffer& buffer, CullBudget& budget,
-               const CullStats& stats, const See& see, const Join& join)
-      : boxes_of_(boxes_of), view_(view), buffer_(buffer), budget_(budget), stats_(stats), see_(see), join_(join) {}
-
-  decltype(auto) boxes(const TreeBlock& block) const { return boxes_of_(block); }
-  [[nodiscard]] kernel::BlockRelations relations(const TreeBlock&, const kernel::BoxBlock& boxes,
-                                                 kernel::BoxBytes asked) const {
-    return kernel::relations(view_.planes, boxes, asked);
-  }
-  static void cull(const TreeBlock&, std::uint32_t, const Culled&) {}
-
-  template <class Boxes>
-  bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
-    const int worth = worth_closing(kWorthOfOccluder, stats_.cover_triangles);
-    const Opening opening(buffer_, tested, i, stats_.cover_groups, worth);
-    if (opening.open < worth) return false;
-    if (!tested.block.is_leaf(i)) return true;
-    see_(tested.block.items(i), tested.straddled_planes[i], opening.footprint.most);
-    return false;
-  }
-  bool spend(std::size_t work) { return budget_.spend(work); }
-  /// What is not drawn hides nothing.
-  static void leave(const TreeBlock&, std::uint32_t) {}
-  void join() { join_(); }
-
- private:
-  const BoxesOf& boxes_of_;
-  const ViewPlanes& view_;
-  const CoverBuffer& buffer_;
-  CullBudget& budget_;
-  const CullStats& stats_;
-  const See& see_;
-  const Join& join_;
-};
 
 /// Groups that are worth a thread of their own.
 constexpr std::size_t kGroupsOfPart = 4;
@@ -106,13 +49,8 @@ class SceneFrame {
   /// What is seen of the occluders closes pixels. joined(painter, occluder) is called after each group that is drawn.
   template <class Joined>
   void draw_occluders(const Joined& joined) {
-    for (const SceneOccluders::Forest& forest : occluders_.forests().first(options_.is_to_be_held ? 1 : 2)) {
-      const auto see = [&](const ItemRange& item, std::uint32_t straddled_planes, float) {
-        draw(forest.occluders[item.first], straddled_planes, joined);
-      };
-      descend(forest.tree.tree(), StandingBoxes{}, planes_.all(), see, [] {});
-    }
-    painter_.finish();
+    const auto takes_part = [&](const SceneOccluders::Standing& occluder) { return this->takes_part(occluder); };
+    OccluderDescent(occluders_, options_, planes_, buffer_, painter_, memory_.occluders, stats_, takes_part, joined).run();
   }
 
   /// Lists the objects that are neither hidden nor out of view: first finds the groups that are neither, then lists the
@@ -152,45 +90,12 @@ class SceneFrame {
   }
 
  private:
-  /// Looks for what is worth drawing into the coarse picture.
-  template <class BoxesOf, class See, class Join>
-  void descend(const BlockTree& tree, const BoxesOf& boxes_of, std::uint32_t straddled_planes, const See& see,
-               const Join& join) {
-    ClosingNodes nodes(boxes_of, planes_, buffer_, painter_.budget(), stats_.work, see, join);
-    CoverDescent(tree, buffer_, stats_.work, nodes).run(straddled_planes);
-  }
-
   [[nodiscard]] bool takes_part(const SceneOccluders::Standing& occluder) const {
-    if ((occluder.mask & options_.mask) == 0) return false;
     if (occluder.object.is_none()) return true;
     if (options_.is_to_be_held && options_.least_size > 0) return false;
     const auto object = objects_.seen(occluder.object);
     if (!object || (object->mask & options_.mask) == 0) return false;
     return object->group == nullptr || !(asking_.size_of(object->group->outer(object->index)) < options_.least_size);
-  }
-
-  template <class Joined>
-  void draw(const SceneOccluders::Standing& occluder, std::uint32_t straddled_planes, const Joined& joined) {
-    if (!painter_.may_draw() || !takes_part(occluder)) return;
-    OccluderInstance stand;
-    if (!occluder.is_identity) stand.placement = &occluder.placement;
-    if (occluder.is_one_sided) {
-      stand.front = occluder.is_mirrored ? CoverMesh::Front::clockwise : CoverMesh::Front::counter_clockwise;
-    }
-    const OccluderMesh::Prepared& mesh = prepared_of(*occluder.mesh);
-    const CoverSource source{mesh.triangles, stand};
-    painter_.use(source);
-    const std::uint32_t before = painter_.groups();
-    const auto see = [&](const ItemRange& polygons, std::uint32_t, float nearness) { painter_.enqueue(polygons, nearness); };
-    const auto join = [&] {
-      if (painter_.flush_group()) joined(painter_, occluder);
-    };
-    if (occluder.is_identity) {
-      descend(mesh.blocks.tree(), StandingBoxes{}, straddled_planes, see, join);
-    } else {
-      descend(mesh.blocks.tree(), PlacedBoxes{occluder.placement}, straddled_planes, see, join);
-    }
-    if (painter_.groups() != before) ++stats_.occluders;
   }
 
   void make_room() {
@@ -394,7 +299,7 @@ class FrameAgain {
 }  // namespace
 
 double reach(const SceneObjects& objects, const SceneOccluders& occluders, const glm::dvec3& eye) {
-  kernel::Aabb all = occluders.box();
+  kernel::Aabb all = occluders.boxes().box();
   grow(all, objects.box());
   const bool is_empty = all.min.x > all.max.x;
   return is_empty ? 0 : depth(all, eye);

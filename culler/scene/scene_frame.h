@@ -16,8 +16,9 @@
 #include "occlude/culler/scene.h"
 #include "occlude/kernel/half_space.h"
 #include "scene/object_listing.h"
-#include "scene/scene_objects.h"
+#include "scene/occluder_descent.h"
 #include "scene/scene_occluders.h"
+#include "scene/scene_things.h"
 
 namespace occlude::culler {
 
@@ -44,6 +45,7 @@ struct SceneView::Memory {
   float least_size = 0;
   CoverMemory cover;
   WorthOfHiding worth;
+  OccluderMemory occluders;
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;
   std::vector<Part> parts;

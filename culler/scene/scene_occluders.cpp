@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene_occluders.h"
 
-#include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "cover/placed.h"
-#include "model/bounds.h"
+#include "cover/prepared_mesh.h"
 #include "occlude/kernel/validity.h"
+#include "scene/scene_box.h"
 
 namespace occlude::culler {
 namespace {
@@ -38,13 +39,24 @@ void require_placeable(const MeshOf& mesh_of, std::span<const Placement> placeme
   }
 }
 
+/// Where it is; none if there is nothing of it.
+std::optional<Box> place_of(const OccluderMesh& mesh, const Placement& placement) {
+  if (mesh.size() == 0) return std::nullopt;
+  return legal_box(placed(placement, mesh.box()));
+}
+
 }  // namespace
 
 OccluderId SceneOccluders::add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement,
                                const OccluderOptions& options) {
   require_placeable(mesh.get(), placement);
-  const OccluderId id = slots_.add({std::move(mesh), placement, options});
-  changed(slots_[id]);
+  make_room(placed_);
+  make_room(changed_);
+  const OccluderId id = boxes_.add(place_of(*mesh, placement), {.moves = options.moves, .mask = options.mask});
+  if (placed_.size() <= id.slot()) placed_.resize(id.slot() + std::size_t{1});
+  meshes_ += size_of(*mesh);
+  placed_[id.slot()] = {id, std::move(mesh), placement, options.object, options.moves, options.is_one_sided};
+  changed(id);
   return id;
 }
 
@@ -55,83 +67,85 @@ void SceneOccluders::add(const std::shared_ptr<const OccluderMesh>& mesh, std::s
 }
 
 void SceneOccluders::remove(OccluderId id) {
-  Placed& occluder = slots_[id];
-  retired_.push_back(std::move(occluder.mesh));
+  Placed& occluder = placed_of(id);
+  retire(occluder);
   lost(occluder);
-  slots_.remove(id);
+  boxes_.remove(id);
+  occluder = {};
 }
 
 void SceneOccluders::remove(std::span<const OccluderId> ids) {
-  slots_.require(ids);
+  boxes_.require(ids);
   for (const OccluderId id : ids) {
     if (contains(id)) remove(id);  // not so the second time
   }
 }
 
 void SceneOccluders::move(OccluderId id, const Placement& placement) {
-  Placed& occluder = slots_[id];
+  Placed& occluder = placed_of(id);
   require_placeable(occluder.mesh.get(), placement);
+  boxes_.move(id, place_of(*occluder.mesh, placement));
   occluder.placement = placement;
+  changed(id);
   lost(occluder);
 }
 
 void SceneOccluders::move(std::span<const OccluderId> ids, std::span<const Placement> placements) {
-  slots_.require(ids);
-  require_placeable([&](std::size_t i) { return slots_[ids[i]].mesh.get(); }, placements);
+  boxes_.require(ids);
+  require_placeable([&](std::size_t i) { return placed_of(ids[i]).mesh.get(); }, placements);
   for (std::size_t i = 0; i < ids.size(); ++i) move(ids[i], placements[i]);
 }
 
 void SceneOccluders::replace(OccluderId id, std::shared_ptr<const OccluderMesh> mesh) {
-  Placed& occluder = slots_[id];
+  Placed& occluder = placed_of(id);
   require_placeable(mesh.get(), occluder.placement);
-  retired_.push_back(std::move(occluder.mesh));
+  boxes_.move(id, place_of(*mesh, occluder.placement));
+  retire(occluder);
+  meshes_ += size_of(*mesh);
   occluder.mesh = std::move(mesh);
+  changed(id);
   lost(occluder);
 }
 
 void SceneOccluders::set_enabled(OccluderId id, bool is_enabled) {
-  Placed& occluder = slots_[id];
-  occluder.is_enabled = is_enabled;
-  lost(occluder);
+  boxes_.set_enabled(id, is_enabled);
+  lost(placed_of(id));
 }
 
 void SceneOccluders::set_mask(OccluderId id, std::uint32_t mask) {
-  Placed& occluder = slots_[id];
-  occluder.options.mask = mask;
-  lost(occluder);
+  boxes_.set_mask(id, mask);
+  lost(placed_of(id));
 }
 
-bool SceneOccluders::update() {
-  for (std::size_t forest = 0; forest < forests_.size(); ++forest) {
-    if (has_changed_[forest]) build(forest);
+SceneOccluders::Placed& SceneOccluders::placed_of(OccluderId id) {
+  if (!contains(id)) throw std::invalid_argument(fault(id));
+  return placed_[id.slot()];
+}
+
+/// Takes its mesh away.
+void SceneOccluders::retire(Placed& occluder) {
+  meshes_ -= size_of(*occluder.mesh);
+  retired_.push_back(std::move(occluder.mesh));
+}
+
+bool SceneOccluders::update(const Executor& executor) {
+  boxes_.update(executor);
+  standing_.resize(placed_.size());
+  for (const std::uint32_t slot : changed_) {
+    const Placed& occluder = placed_[slot];
+    if (occluder.id.is_none()) continue;  // it was removed again
+    standing_[slot] = {occluder.id,
+                       occluder.mesh.get(),
+                       occluder.placement,
+                       occluder.object,
+                       occluder.is_one_sided,
+                       occluder.placement == Placement{},
+                       is_mirrored(occluder.placement)};
   }
-  has_changed_ = {};
+  changed_.clear();
   retired_.clear();
+  seen_meshes_ = meshes_;
   return std::exchange(has_lost_, false);
-}
-
-void SceneOccluders::build(std::size_t forest) {
-  BuildMemory& found = build_memory_;
-  found.occluders.clear();
-  found.boxes.clear();
-  slots_.for_each([&](OccluderId id, const Placed& occluder) {
-    const auto& [mesh, placement, options, is_enabled] = occluder;
-    if (!is_enabled || mesh->size() == 0 || options.moves != (forest == 1)) return;
-    found.occluders.push_back({id, mesh.get(), placement, options.mask, options.object, options.is_one_sided,
-                               placement == Placement{}, is_mirrored(placement)});
-    found.boxes.push_back(placed(placement, mesh->box()));
-  });
-  found.curve.sort(found.boxes);
-  Forest& built = forests_[forest];
-  built.tree.build(found.boxes, found.curve.order());
-  built.occluders.clear();
-  for (const std::uint32_t i : found.curve.order()) built.occluders.push_back(found.occluders[i]);
-}
-
-kernel::Aabb SceneOccluders::box() const {
-  kernel::Aabb box = empty_box();
-  for (const Forest& forest : forests_) grow(box, forest.tree.box());
-  return box;
 }
 
 }  // namespace occlude::culler

@@ -134,7 +134,9 @@ class WorldJudge {
  public:
   WorldJudge(Random& random, Report& report) : random_(random), report_(report), soup_(some_soup(random)) {
     meshes_.push_back(mesh_of(box_soup()));
-    meshes_.push_back(mesh_of(wall_soup(random.integer(0, 2), static_cast<std::uint32_t>(random.integer(1, 5)))));
+    // A mesh of many panels is descended in several steps, between those of others.
+    const int panels = random.chance(0.03) ? 18 : random.integer(1, 5);
+    meshes_.push_back(mesh_of(wall_soup(random.integer(0, 2), static_cast<std::uint32_t>(panels))));
     meshes_.push_back(mesh_of(soup_));
     meshes_.push_back(mesh_of({}));
   }
@@ -217,8 +219,22 @@ class WorldJudge {
     for (std::size_t i = 0; i < ids.size(); ++i) world_.objects[ids[i].slot()] = {ids[i], boxes[i], options};
   }
 
+  void add_occluder_tile() {
+    World::Standing standing{{}, &meshes_[random_.index(meshes_.size())], {}, {}};
+    standing.options = {random_.chance(0.2), random_.chance(0.4), some_mask(), {}};
+    std::vector<Placement> placements;
+    for (int i = random_.integer(2, 6); i > 0; --i) placements.push_back(some_placement(random_));
+    std::vector<OccluderId> ids(placements.size());
+    scene_.add(standing.mesh->prepared, placements, standing.options, ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      standing.id = ids[i];
+      standing.placement = placements[i];
+      world_.occluders[ids[i].slot()] = standing;
+    }
+  }
+
   std::string step() {
-    switch (random_.index(12)) {
+    switch (random_.index(13)) {
       case 0:
         add_object();
         return "";
@@ -234,6 +250,9 @@ class WorldJudge {
       case 5:
       case 6:
         change_occluder();
+        return "";
+      case 7:
+        if (world_.occluders.size() < 20) add_occluder_tile();
         return "";
       default:
         change_object();

@@ -32,7 +32,7 @@
 #include "occlude/kernel/half_space.h"
 #include "scene/scene_frame.h"
 #include "scene/scene_number.h"
-#include "scene/scene_objects.h"
+#include "scene/scene_things.h"
 #include "scenes.h"
 
 namespace scene_test {
@@ -136,6 +136,37 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
     if (chance(4) && !world_.objects.empty()) standing.options.object = any(world_.objects).first;
     const OccluderId id = scene_.add(standing.mesh, standing.placement, standing.options);
     ASSERT_TRUE(world_.occluders.emplace(id.slot(), std::pair{id, standing}).second);
+  }
+
+  /// Occluders near each other, added at once: houses, walls, or walls of so many panels that they are no subtree of few.
+  void add_occluder_tile(std::size_t count) {
+    const double x = uniform(random_, -45, 45), y = uniform(random_, -45, 45);
+    const std::array<const PolygonSoup*, 3> soups{&house(), &wall_soup_, &panel_soup_};
+    const std::array meshes{house_, wall_, panels_};
+    const std::size_t mesh = below(3);
+    World::Standing standing{soups[mesh], meshes[mesh], {}, {.moves = chance(8), .mask = chance(6) ? 1U << below(3) : ~0U}};
+    std::vector<Placement> placements(count);
+    for (Placement& placement : placements) {
+      placement = random_placement(random_);
+      placement.origin.x = x + placement.origin.x / 5;
+      placement.origin.y = y + placement.origin.y / 5;
+    }
+    std::vector<OccluderId> ids(count);
+    scene_.add(standing.mesh, placements, standing.options, ids);
+    for (std::size_t i = 0; i < count; ++i) {
+      standing.placement = placements[i];
+      ASSERT_TRUE(world_.occluders.emplace(ids[i].slot(), std::pair{ids[i], standing}).second);
+    }
+  }
+
+  void remove_occluders(std::size_t count) {
+    std::vector<OccluderId> gone;
+    for (auto at = world_.occluders.lower_bound(below(world_.occluders.rbegin()->first)); at != world_.occluders.end();) {
+      gone.push_back(at->second.first);
+      at = world_.occluders.erase(at);
+      if (gone.size() == count) break;
+    }
+    scene_.remove(gone);
   }
 
   void change_object() {
@@ -283,8 +314,9 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
     hidden_ += stats.hidden;
   }
 
-  /// The slots that a scene with the same content, made at once, draws.
-  [[nodiscard]] std::vector<std::uint32_t> drawn_anew(const Camera& camera, const SceneOptions& options) const {
+  /// The slots that a scene with the same content, made at once, draws in a frame of the view.
+  [[nodiscard]] std::vector<std::uint32_t> drawn_anew(const Camera& camera, const SceneOptions& options,
+                                                      SceneView& view) const {
     Scene scene;
     std::map<std::uint32_t, std::uint32_t> slots;
     std::map<std::uint32_t, ObjectId> anew;
@@ -307,7 +339,6 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
       if (!standing.is_enabled) scene.set_enabled(id, false);
     }
     scene.update();
-    SceneView view;
     std::vector<std::uint32_t> drawn;
     for (const DrawnObject& object : scene.cull(camera, options, view).drawn) drawn.push_back(slots[object.id.slot()]);
     std::ranges::sort(drawn);
@@ -322,6 +353,12 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
     return soup;
   }();
   std::shared_ptr<const OccluderMesh> wall_ = std::make_shared<OccluderMesh>(wall_soup_);
+  PolygonSoup panel_soup_ = [] {
+    PolygonSoup soup;
+    for (int i = 0; i < 600; ++i) add_wall(soup, 0, i / 20 * 0.5 - 7, i / 20 * 0.5 - 6.5, i % 20 * 0.2, i % 20 * 0.2 + 0.2);
+    return soup;
+  }();
+  std::shared_ptr<const OccluderMesh> panels_ = std::make_shared<OccluderMesh>(panel_soup_);
   Scene scene_;
   World world_;
   std::size_t hidden_ = 0, proved_ = 0;
@@ -330,7 +367,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
 TEST_P(Worlds, AreCulledAsIfMadeAnew) {
   for (int i = 0; i < 60; ++i) add_occluder();
   add_objects(3000);
-  SceneView view;
+  SceneView view, anew;
   for (int frame = 0; frame < 40; ++frame) {
     edit(frame % 7 == 0 ? 300 : 20);
     scene_.update();
@@ -345,10 +382,68 @@ TEST_P(Worlds, AreCulledAsIfMadeAnew) {
     std::vector<std::uint32_t> drawn;
     for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot());
     std::ranges::sort(drawn);
-    ASSERT_EQ(drawn, drawn_anew(camera, options)) << "frame " << frame << ", seed " << GetParam();
+    ASSERT_EQ(drawn, drawn_anew(camera, options, anew)) << "frame " << frame << ", seed " << GetParam();
   }
   EXPECT_GT(hidden_, 5000U);
   EXPECT_GT(proved_, 60U);
+}
+
+/// Thousands of occluders are in many groups, and how they are depends on all that went before. Frames must not.
+TEST_P(Worlds, AreCulledAsIfMadeAnewWhateverGroupsOccludersAreIn) {
+  add_occluder_tile(1500);
+  for (int i = 0; i < 20; ++i) add_occluder_tile(10 + below(100));
+  add_objects(3000);
+  SceneView view, anew;
+  for (int frame = 0; frame < 30; ++frame) {
+    if (chance(2)) add_occluder_tile(1 + below(frame % 8 == 0 ? 1200 : 60));
+    if (chance(2)) remove_occluders(1 + below(frame % 8 == 4 ? 1200 : 60));
+    for (std::uint32_t changes = below(50); changes > 0; --changes) change_occluder();
+    scene_.update();
+    for (int cameras = 0; cameras < 4; ++cameras) {
+      const Camera camera = random_camera(random_);
+      SceneOptions options;
+      options.cover = {.width = 256, .height = 144};
+      if (chance(3)) options.mask = 1 + below(7);
+      const SceneResult& result = scene_.cull(camera, options, view);
+      hidden_ += result.stats.hidden;
+      std::vector<std::uint32_t> drawn;
+      for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot());
+      std::ranges::sort(drawn);
+      ASSERT_EQ(drawn, drawn_anew(camera, options, anew)) << "frame " << frame << ", seed " << GetParam();
+      const SceneStats &stats = result.stats, &other = anew.result().stats;
+      ASSERT_EQ(stats.occluders, other.occluders) << "in another order";
+      ASSERT_EQ(stats.work.cover_triangles, other.work.cover_triangles) << "in another order";
+    }
+  }
+  EXPECT_GT(hidden_, 5000U);
+}
+
+/// Layers change without anything that comes, goes or moves.
+TEST_P(Worlds, LayersAloneMayChange) {
+  for (int i = 0; i < 60; ++i) add_occluder();
+  for (int i = 0; i < 10; ++i) add_objects(1 + below(200));
+  scene_.update();
+  SceneView view, anew;
+  for (int frame = 0; frame < 40; ++frame) {
+    auto& [object, its] = any(world_.objects);
+    auto& [occluder, standing] = any(world_.occluders);
+    if (chance(2)) {
+      scene_.set_enabled(object, its.is_enabled = !its.is_enabled);
+      scene_.set_enabled(occluder, standing.is_enabled = !standing.is_enabled);
+    } else {
+      scene_.set_mask(object, its.options.mask = 1U << below(3));
+      scene_.set_mask(occluder, standing.options.mask = 1U << below(3));
+    }
+    scene_.update();
+    const Camera camera = random_camera(random_);
+    const SceneOptions options{.mask = chance(2) ? 1 + below(7) : ~0U};
+    const SceneResult& result = scene_.cull(camera, options, view);
+    expect_right(camera, options, view, 5);
+    std::vector<std::uint32_t> drawn;
+    for (const DrawnObject& one : result.drawn) drawn.push_back(one.id.slot());
+    std::ranges::sort(drawn);
+    ASSERT_EQ(drawn, drawn_anew(camera, options, anew)) << "frame " << frame << ", seed " << GetParam();
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Worlds, testing::Values(1U, 2U, 3U, 4U));
@@ -580,6 +675,27 @@ long double reach_of_corners(const Aabb& local, const Placement& at, const Obb& 
     for (const long double a : coordinates_in(made, placed(at, p))) reach = std::max(reach, std::fabs(a));
   }
   return reach;
+}
+
+TEST(Placement, EightBoxesAreWhereEachIsUpToRounding) {
+  std::mt19937 random(kSeed);
+  for (int i = 0; i < 500; ++i) {
+    const Placement at{random_vector(random, -1, 1), random_vector(random, -1, 1), random_vector(random, -1, 1),
+                       random_vector(random, -9, 9)};
+    kernel::BoxBlock boxes;
+    for (std::size_t k = 0; k < kernel::BoxBlock::kBoxes; ++k) {
+      const Vec3 low = random_vector(random, -2, 2), size = random_vector(random, 0, 3);
+      boxes.set(k, {low, {low.x + size.x, low.y + size.y, low.z + size.z}});
+    }
+    const kernel::BoxBlock nearly = nearly_placed(at, boxes);
+    for (std::size_t k = 0; k < kernel::BoxBlock::kBoxes; ++k) {
+      const Aabb one = placed(at, boxes.box(k)), of_eight = nearly.box(k);
+      for (int axis = 0; axis < 3; ++axis) {
+        ASSERT_NEAR(of_eight.min[axis], one.min[axis], 1e-12) << "seed " << kSeed << ", " << i;
+        ASSERT_NEAR(of_eight.max[axis], one.max[axis], 1e-12) << "seed " << kSeed << ", " << i;
+      }
+    }
+  }
 }
 
 TEST(Placement, BoxesOfObjectsHoldWhatIsPlaced) {
@@ -1245,10 +1361,8 @@ TEST(SceneObjects, GroupsStaySmallEnoughToBeBuiltAnew) {
   SceneNumber number;
   SceneObjects objects(number);
   const auto add = [&](std::size_t count) {
-    std::vector<Box> boxes;
-    while (boxes.size() < count) boxes.push_back(random_box(random));
-    std::vector<ObjectId> ids(count);
-    objects.add(boxes, {}, ids);
+    std::vector<ObjectId> ids;
+    while (ids.size() < count) ids.push_back(objects.add(random_box(random), {}));
     objects.update({});
     return ids;
   };

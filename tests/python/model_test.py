@@ -107,7 +107,7 @@ class Models(unittest.TestCase):
                     plane = frame.planes[row["index"]]
                     self.assertTrue(np.all(points @ plane[:3] + plane[3] < 0))
                 else:
-                    self.assertEqual(row["by"], CulledBy.COVER if options.get("method") == "cover" else CulledBy.SHADOW)
+                    self.assertEqual(row["by"], CulledBy.SHADOW if options.get("method") == "frusta" else CulledBy.COVER)
                     hidden.append(points)
                     culled += row["count"]
             if hidden:
@@ -120,11 +120,11 @@ class Models(unittest.TestCase):
         culler, view = occlude.Culler(vertices, polygons, leaf_size=4), occlude.View()
         self.assertEqual(len(culler), len(polygons))
         np.testing.assert_array_equal(np.sort(culler.order), np.arange(len(polygons)))
-        few = self.check_path(culler, view, triangles, rng)
+        few = self.check_path(culler, view, triangles, rng, method="frusta")
         self.assertGreater(few, 300)
-        self.assertEqual(self.check_path(culler, view, triangles, rng, occluders=0), 0)
-        self.check_path(culler, None, triangles, rng, test="overlap", near="farthest", unions=True)
-        self.check_path(occlude.Culler(vertices, polygons, bounds="obb"), None, triangles, rng)
+        self.assertEqual(self.check_path(culler, view, triangles, rng, method="frusta", occluders=0), 0)
+        self.check_path(culler, None, triangles, rng, method="frusta", test="overlap", near="farthest", unions=True)
+        self.check_path(occlude.Culler(vertices, polygons, bounds="obb"), None, triangles, rng, method="frusta")
 
     def test_cover(self):
         rng = brute.random()
@@ -183,7 +183,7 @@ class Models(unittest.TestCase):
             ("soup", lambda: occlude.Culler(square, [])),
             ("vertex 0: number out of range", lambda: occlude.Culler([[1e300, 0, 0]] * 3, [[0, 1, 2]])),
             ("bounds is 'sphere', must be 'aabb' or 'obb'", lambda: occlude.Culler(square, [[0, 1, 2]], bounds="sphere")),
-            ("method is 'both', must be 'frusta' or 'cover'", lambda: culler.cull(camera, method="both")),
+            ("method is 'both', must be 'automatic' or 'frusta' or 'cover'", lambda: culler.cull(camera, method="both")),
             ("margin is below 0", lambda: culler.cull(camera, margin=-1)),
             ("margin is below 0", lambda: culler.cull(camera, margin=np.nan)),
         ):

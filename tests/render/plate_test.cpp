@@ -221,7 +221,7 @@ TEST_F(PlateTest, FromOutsideARoomIsCutOpen) {
   PolygonSoup soup;
   soup.add_box({0, 0, 0}, {10, 10, 4});
   soup.add_box({7, 4, 0}, {9, 6, 1.5});
-  const culler::Culler culler(soup, culler::BuildConfig());
+  const culler::Culler culler(soup, {.hierarchy = {.leaf_size = 16}});
   culler::View view;
   Camera camera = camera_at({2, 5, 1}, {8, 5, 1});
   camera.near_plane = 0.01;

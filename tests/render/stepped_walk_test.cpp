@@ -37,6 +37,7 @@ class SteppedWalk : public testing::Test {
 
   static WalkOptions options(std::size_t step) {
     WalkOptions options;
+    options.cull.method = culler::Method::frusta;
     options.begin = 3;
     options.end = kEnd;
     options.step = step;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Some objects of a scene, with a tree of their own.
+// Some things of a scene, with a tree of their own.
 #pragma once
 
 #include <hwy/cache_control.h>
@@ -21,9 +21,10 @@
 
 namespace occlude::culler {
 
-/// An object as a scene draws it.
-struct SceneObject {
-  ObjectId id;
+/// An object or an occluder, and where it is.
+template <SceneKind kOf>
+struct SceneThing {
+  SceneId<kOf> id;
   std::uint32_t mask = 0;  ///< 0 if it is disabled
   Box box;                 ///< legal, and so is its outer_box()
 };
@@ -39,33 +40,37 @@ struct GroupBuilder {
 };
 
 /// Several threads may read at once.
-class ObjectGroup {
+template <SceneKind kOf>
+class ThingGroup {
  public:
+  using Id = SceneId<kOf>;
+  using Thing = SceneThing<kOf>;
+
   /// `is_lasting` says that the tree is for many frames, and so worth a better order.
-  void assign(std::span<const SceneObject> objects, bool is_lasting, GroupBuilder& builder);
+  void assign(std::span<const Thing> things, bool is_lasting, GroupBuilder& builder);
   void clear();
-  /// Removes object i. Its place stays empty, and in no layer. The tree stays, so its boxes may be larger than they need be.
+  /// Removes thing i. Its place stays empty, and in no layer. The tree stays, so its boxes may be larger than they need be.
   void remove(std::uint32_t i);
   /// Makes box() that of what is left.
   void fit_box();
   void set_mask(std::uint32_t i, std::uint32_t mask);
   /// Appends what is left.
-  void append_living(std::vector<SceneObject>& objects) const;
+  void append_living(std::vector<Thing>& things) const;
 
-  /// The places of objects, in the order of the tree; of these, those that are not empty.
+  /// The places of things, in the order of the tree; of these, those that are not empty.
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] std::size_t living() const { return living_; }
-  /// The box around all objects, those removed since the last fit_box() included.
+  /// The box around all things, those removed since the last fit_box() included.
   [[nodiscard]] const kernel::Aabb& box() const { return box_; }
-  /// How many objects have room without allocating.
+  /// How many things have room without allocating.
   [[nodiscard]] std::size_t capacity() const { return places_.capacity(); }
   [[nodiscard]] std::size_t bytes() const;
 
   /// A tree over outer(i), those of empty places included.
   [[nodiscard]] const PackedTree& tree() const { return tree_; }
-  [[nodiscard]] ObjectId id(std::uint32_t i) const { return places_[i].id; }
+  [[nodiscard]] Id id(std::uint32_t i) const { return places_[i].id; }
   [[nodiscard]] std::uint32_t mask(std::uint32_t i) const { return places_[i].mask; }
-  /// Of the objects [first, first + 8): those that are in one of these layers, and those whose boxes are oriented.
+  /// Of the things [first, first + 8): those that are in one of these layers, and those whose boxes are oriented.
   struct Kinds {
     kernel::BoxBits in_layers = 0, oriented = 0;
   };
@@ -76,29 +81,29 @@ class ObjectGroup {
     hwy::Prefetch(&places_[std::min<std::size_t>(first + TreeBlock::kNodes, size()) - 1]);
   }
   [[nodiscard]] kernel::Aabb outer(std::uint32_t i) const { return tree_.item(i); }
-  /// Calls question(box) with the box of object i, which may be oriented.
+  /// Calls question(box) with the box of thing i, which may be oriented.
   template <class Question>
   decltype(auto) ask(std::uint32_t i, const Question& question) const {
     const std::uint32_t k = places_[i].oriented;
     return k == kNone ? question(outer(i)) : question(oriented_[k]);
   }
-  /// Whether every object is in all layers.
+  /// Whether every thing is in all layers.
   [[nodiscard]] bool is_in_all_layers() const { return is_in_all_layers_; }
-  /// How many of these objects are in one of these layers.
-  [[nodiscard]] std::size_t count(const ItemRange& objects, std::uint32_t mask) const {
-    return is_whole(mask) ? objects.count : count_one_by_one(objects, mask);
+  /// How many of these things are in one of these layers.
+  [[nodiscard]] std::size_t count(const ItemRange& things, std::uint32_t mask) const {
+    return is_whole(mask) ? things.count : count_one_by_one(things, mask);
   }
   [[nodiscard]] std::size_t count(std::uint32_t mask) const { return count({0, static_cast<std::uint32_t>(size())}, mask); }
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// Whether no place is empty, and every object is in one of these layers.
+  /// Whether no place is empty, and every thing is in one of these layers.
   [[nodiscard]] bool is_whole(std::uint32_t mask) const { return is_in_all_layers_ && living_ == size() && mask != 0; }
-  [[nodiscard]] std::size_t count_one_by_one(const ItemRange& objects, std::uint32_t mask) const;
+  [[nodiscard]] std::size_t count_one_by_one(const ItemRange& things, std::uint32_t mask) const;
 
   struct Place {
-    ObjectId id;             ///< none if the place is empty
+    Id id;                   ///< none if the place is empty
     std::uint32_t mask;      ///< 0 if the place is empty
     std::uint32_t oriented;  ///< the index in oriented_, or kNone
   };
@@ -111,5 +116,12 @@ class ObjectGroup {
   bool is_box_loose_ = false;
   bool is_in_all_layers_ = true;
 };
+
+extern template class ThingGroup<SceneKind::object>;
+extern template class ThingGroup<SceneKind::occluder>;
+
+using SceneObject = SceneThing<SceneKind::object>;
+using ObjectGroup = ThingGroup<SceneKind::object>;
+using OccluderGroup = ThingGroup<SceneKind::occluder>;
 
 }  // namespace occlude::culler

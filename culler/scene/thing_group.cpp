@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/object_group.h"
+#include "scene/thing_group.h"
 
 #include <algorithm>
 #include <variant>
@@ -28,26 +28,28 @@ std::span<const std::uint32_t> GroupBuilder::sort(bool is_lasting) {
   return curve.order();
 }
 
-void ObjectGroup::assign(std::span<const SceneObject> objects, bool is_lasting, GroupBuilder& builder) {
+template <SceneKind kOf>
+void ThingGroup<kOf>::assign(std::span<const Thing> things, bool is_lasting, GroupBuilder& builder) {
   clear();
   builder.boxes.clear();
-  for (const SceneObject& object : objects) builder.boxes.push_back(outer_box(object.box));
+  for (const Thing& thing : things) builder.boxes.push_back(outer_box(thing.box));
   const std::span<const std::uint32_t> order = builder.sort(is_lasting);
   tree_.build(builder.boxes, order);
-  places_.reserve(objects.size());
+  places_.reserve(things.size());
   for (const std::uint32_t from : order) {
-    const SceneObject& object = objects[from];
-    const auto* const oriented = std::get_if<kernel::Obb>(&object.box);
+    const Thing& thing = things[from];
+    const auto* const oriented = std::get_if<kernel::Obb>(&thing.box);
     const std::uint32_t k = oriented == nullptr ? kNone : static_cast<std::uint32_t>(oriented_.size());
     if (oriented != nullptr) oriented_.push_back(*oriented);
-    places_.push_back({object.id, object.mask, k});
-    is_in_all_layers_ = is_in_all_layers_ && object.mask == kAllLayers;
+    places_.push_back({thing.id, thing.mask, k});
+    is_in_all_layers_ = is_in_all_layers_ && thing.mask == kAllLayers;
   }
-  living_ = objects.size();
+  living_ = things.size();
   box_ = tree_.box();
 }
 
-void ObjectGroup::clear() {
+template <SceneKind kOf>
+void ThingGroup<kOf>::clear() {
   tree_.clear();
   places_.clear();
   oriented_.clear();
@@ -56,14 +58,16 @@ void ObjectGroup::clear() {
   is_in_all_layers_ = true;
 }
 
-void ObjectGroup::remove(std::uint32_t i) {
+template <SceneKind kOf>
+void ThingGroup<kOf>::remove(std::uint32_t i) {
   places_[i].id = {};
   places_[i].mask = 0;
   is_box_loose_ = true;
   --living_;
 }
 
-void ObjectGroup::fit_box() {
+template <SceneKind kOf>
+void ThingGroup<kOf>::fit_box() {
   if (!is_box_loose_) return;
   is_box_loose_ = false;
   box_ = empty_box();
@@ -72,21 +76,27 @@ void ObjectGroup::fit_box() {
   }
 }
 
-void ObjectGroup::set_mask(std::uint32_t i, std::uint32_t mask) {
+template <SceneKind kOf>
+void ThingGroup<kOf>::set_mask(std::uint32_t i, std::uint32_t mask) {
   places_[i].mask = mask;
   is_in_all_layers_ = is_in_all_layers_ && mask == kAllLayers;
 }
 
-void ObjectGroup::append_living(std::vector<SceneObject>& objects) const {
+template <SceneKind kOf>
+void ThingGroup<kOf>::append_living(std::vector<Thing>& things) const {
   for (std::uint32_t i = 0; i < size(); ++i) {
     if (id(i).is_none()) continue;
-    objects.push_back({id(i), mask(i), ask(i, [](const auto& box) -> Box { return box; })});
+    things.push_back({id(i), mask(i), ask(i, [](const auto& box) -> Box { return box; })});
   }
 }
 
-std::size_t ObjectGroup::bytes() const { return tree_.bytes() + capacity_of(places_) + capacity_of(oriented_); }
+template <SceneKind kOf>
+std::size_t ThingGroup<kOf>::bytes() const {
+  return tree_.bytes() + capacity_of(places_) + capacity_of(oriented_);
+}
 
-ObjectGroup::Kinds ObjectGroup::kinds(std::uint32_t first, std::uint32_t mask) const {
+template <SceneKind kOf>
+typename ThingGroup<kOf>::Kinds ThingGroup<kOf>::kinds(std::uint32_t first, std::uint32_t mask) const {
   const auto places = std::span(places_).subspan(first, std::min<std::size_t>(size() - first, TreeBlock::kNodes));
   if (oriented_.empty() && is_whole(mask)) return {static_cast<kernel::BoxBits>((1U << places.size()) - 1), 0};
   Kinds kinds;
@@ -97,10 +107,14 @@ ObjectGroup::Kinds ObjectGroup::kinds(std::uint32_t first, std::uint32_t mask) c
   return kinds;
 }
 
-std::size_t ObjectGroup::count_one_by_one(const ItemRange& objects, std::uint32_t mask) const {
-  const auto places = std::span(places_).subspan(objects.first, objects.count);
+template <SceneKind kOf>
+std::size_t ThingGroup<kOf>::count_one_by_one(const ItemRange& things, std::uint32_t mask) const {
+  const auto places = std::span(places_).subspan(things.first, things.count);
   return static_cast<std::size_t>(
       std::ranges::count_if(places, [&](const Place& place) { return (place.mask & mask) != 0; }));
 }
+
+template class ThingGroup<SceneKind::object>;
+template class ThingGroup<SceneKind::occluder>;
 
 }  // namespace occlude::culler
