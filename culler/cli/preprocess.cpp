@@ -159,24 +159,13 @@ Summary make_inner_boxes(render::OutputFile& file, culler::SoupView soup, const 
        {"seconds", seconds}}};
 }
 
-/// Where the frames of the path are looked from: from all of them or, if they are many, from some at equal distances.
-std::vector<glm::dvec3> eyes_along(const render::CameraPath& path) {
-  // Where a million triangles are looked at from each, this takes some seconds, and a hundredth of a walk is between two.
-  constexpr std::size_t kEyes = 100;
-  std::vector<glm::dvec3> eyes;
-  for (std::size_t i = 0, count = std::min(kEyes, path.frames); i < count; ++i) {
-    eyes.push_back(path.camera(i * (path.frames - 1) / (count - 1), 1).eye);
-  }
-  return eyes;
-}
-
 Summary make_occluders(render::OutputFile& file, const render::Model& model, const PreprocessArguments& arguments) {
   const render::Stopwatch stopwatch;
   std::vector<glm::dvec3> eyes;
   if (arguments.path.is_given()) {
     const render::CameraPath path = arguments.path.through(arguments.model, model);
     warn_of_misfit(path, arguments.path, arguments.model, model.soup);
-    eyes = eyes_along(path);
+    eyes = path.viewpoints();
   }
   culler::SimplifyOptions options = arguments.simple;
   options.eyes = eyes;
