@@ -140,6 +140,19 @@ TEST(SimplifiedOccluders, NothingIsFlatUpToRounding) {
   }
 }
 
+/// Of a dome, every corner is needed.
+TEST(SimplifiedOccluders, NothingBentIsMerged) {
+  PolygonSoup dome;
+  const auto at = [](int x, int y) { return dvec3(x, y, x * x + x * y + y * y); };
+  for (int x = -3; x < 3; ++x) {
+    for (int y = -3; y < 3; ++y) {
+      add(dome, {at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      add(dome, {at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  }
+  EXPECT_EQ(size_of(dome), 72U);
+}
+
 /// Where walls meet, a border is straight for all or stays.
 TEST(SimplifiedOccluders, BordersKeepTheCornersOfAllThatMeet) {
   // Two walls in two halves each, along one edge: its middle goes.
@@ -245,7 +258,7 @@ TEST(SimplifiedOccluders, BoxesStandBesideWhatTheyAreIn) {
   EXPECT_GE(of_boxes, 1U);
 }
 
-/// A solid of steps, its faces divided at random, with places that are whole numbers or rounded.
+/// A solid of steps, perhaps skewed, its faces divided at random, with places that are whole numbers or rounded.
 PolygonSoup random_solid(std::mt19937& random) {
   const auto pick = [&](std::uint32_t count) { return static_cast<std::uint32_t>(random()) % count; };
   const std::uint32_t n = 2 + pick(3);
@@ -255,7 +268,11 @@ PolygonSoup random_solid(std::mt19937& random) {
     return x < n && y < n && z < n && full[(z * n + y) * n + x];
   };
   PolygonSoup soup;
-  const double scale = pick(2) == 0 ? 1 : 0.1;
+  const double scale = pick(4) != 0 ? 1 : 0.1;
+  const bool is_skewed = pick(2) == 0;
+  const auto place = [&](const dvec3& v) {
+    return scale * (is_skewed ? dvec3(4 * v.x + 2 * v.y - v.z, v.x + 5 * v.y + v.z, 6 * v.z - 2 * v.x + v.y) : v);
+  };
   for (std::uint32_t i = 0; i < n * n * n; ++i) {
     const std::array<std::uint32_t, 3> cell{i % n, i / n % n, i / n / n};
     for (std::uint32_t axis = 0; axis < 3 && full[i]; ++axis) {
@@ -271,7 +288,7 @@ PolygonSoup random_solid(std::mt19937& random) {
           square[k][down(axis + 2)] += k >= 2 ? 1 : 0;
         }
         if (step != 1) std::ranges::reverse(square);
-        for (dvec3& v : square) v *= scale;
+        for (dvec3& v : square) v = place(v);
         const std::size_t turn = pick(4);
         const auto at = [&](std::size_t k) { return square[(k + turn) % 4]; };
         if (pick(3) == 0) {
