@@ -204,6 +204,7 @@ void FlatMesh::replace(const Fan& fan, std::span<const FaceTriangle> triangles) 
   for (std::size_t i = 0; i < fan.leaving.size(); ++i) {
     const HalfEdge outer = next(fan.leaving[i]);
     border.push_back({from(outer), to(outer), twins_[outer]});
+    if (twins_[outer] != kNone) twins_[twins_[outer]] = kNone;  // cut out, to be joined below
   }
   const std::uint32_t polygon = triangles_[fan.leaving.front() / 3].polygon;
   std::vector<HalfEdge> open;
