@@ -168,12 +168,20 @@ TEST(SimplifiedOccluders, BordersKeepTheCornersOfAllThatMeet) {
   EXPECT_EQ(size_of(walls(1, 3)), 4U) << "each corner is one of one wall alone, and goes";
   // A third wall begins or ends at the middle. So the other two keep it.
   for (const double end : {4, 0}) {
-    PolygonSoup three = walls(2, 2);
-    add(three, {{0, 0, 2}, {0, 0, end}, {-3, -3, end}, {-3, -3, 2}});
-    const SimplifiedOccluders simple = simplified_occluders(three, kAll);
-    EXPECT_EQ(std::ranges::count(simple.soup.vertices, dvec3(0, 0, 2)), 1);
-    EXPECT_EQ(simple.soup.size(), 8U);
-    EXPECT_NEAR(area(simple.soup), area(three), 1e-9);
+    for (const bool is_first : {false, true}) {
+      PolygonSoup three;
+      const std::vector<dvec3> third{{0, 0, 2}, {0, 0, end}, {-3, -3, end}, {-3, -3, 2}};
+      if (is_first) add(three, third);
+      const PolygonSoup two = walls(2, 2);
+      for (std::size_t p = 0; p < two.size(); ++p) {
+        add(three, {two.vertices[4 * p], two.vertices[4 * p + 1], two.vertices[4 * p + 2], two.vertices[4 * p + 3]});
+      }
+      if (!is_first) add(three, third);
+      const SimplifiedOccluders simple = simplified_occluders(three, kAll);
+      EXPECT_EQ(std::ranges::count(simple.soup.vertices, dvec3(0, 0, 2)), 1);
+      EXPECT_EQ(simple.soup.size(), 8U);
+      EXPECT_NEAR(area(simple.soup), area(three), 1e-9);
+    }
   }
 }
 
