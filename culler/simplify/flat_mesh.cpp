@@ -36,7 +36,8 @@ struct FlatMesh::Fan {
   bool is_closed = false;
 };
 
-FlatMesh::FlatMesh(SoupView soup, const Checkpoint& checkpoint) : vertices_(soup.vertices), at_(soup.vertices.size()) {
+FlatMesh::FlatMesh(SoupView soup, const Checkpoint& checkpoint)
+    : vertices_(soup.vertices), at_(soup.vertices.size()), counts_(soup.vertices.size()) {
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
   const std::vector<bool> is_repeated = find_repeated(soup, weld, checkpoint);
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
@@ -46,8 +47,8 @@ FlatMesh::FlatMesh(SoupView soup, const Checkpoint& checkpoint) : vertices_(soup
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
       const Vertex a = weld[loop[0]], b = weld[loop[i]], c = weld[loop[i + 1]];
       if (a == b || b == c || c == a) continue;
-      for (const Vertex v : {a, b, c}) at_[v].push_back(static_cast<std::uint32_t>(triangles_.size()));
-      triangles_.push_back({{a, b, c}, p});
+      triangles_.push_back({});
+      put(static_cast<std::uint32_t>(triangles_.size() - 1), {{a, b, c}, p});
     }
   }
   twins_.assign(3 * triangles_.size(), kNone);
@@ -124,6 +125,19 @@ void FlatMesh::join(const Checkpoint& checkpoint) {
   }
 }
 
+void FlatMesh::put(std::uint32_t t, const FlatTriangle& triangle) {
+  triangles_[t] = triangle;
+  for (const Vertex v : triangle.corners) {
+    at_[v].push_back(t);
+    ++counts_[v];
+  }
+}
+
+void FlatMesh::remove(std::uint32_t t) {
+  for (const Vertex v : triangles_[t].corners) --counts_[v];
+  triangles_[t] = {{}, kNone};
+}
+
 /// The half-edges that leave v, one of each of its triangles.
 std::vector<FlatMesh::HalfEdge> FlatMesh::leaving(Vertex v) {
   std::vector<HalfEdge> result;
@@ -172,8 +186,8 @@ bool FlatMesh::may_go(Vertex v, std::span<const Fan> fans) const {
 
 /// Returns whether the vertex was taken out. Then adds those to `around` that were joined with it.
 bool FlatMesh::take_out(Vertex v, std::vector<Vertex>& around) {
+  if (counts_[v] > kMostAround) return false;
   std::vector<HalfEdge> left = leaving(v);
-  if (left.size() > kMostAround) return false;
   std::vector<Fan> fans;
   while (!left.empty()) {
     fans.push_back(fan_from(left.back()));
@@ -210,14 +224,11 @@ void FlatMesh::replace(const Fan& fan, std::span<const FaceTriangle> triangles) 
   std::vector<HalfEdge> open;
   for (std::size_t i = 0; i < fan.leaving.size(); ++i) {
     const std::uint32_t t = fan.leaving[i] / 3;
-    const bool is_used = i < triangles.size();
-    triangles_[t] = is_used ? FlatTriangle{triangles[i], polygon} : FlatTriangle{{}, kNone};
-    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-      twins_[h] = kNone;
-      if (!is_used) continue;
-      at_[from(h)].push_back(t);
-      open.push_back(h);
-    }
+    remove(t);
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) twins_[h] = kNone;
+    if (i >= triangles.size()) continue;
+    put(t, {triangles[i], polygon});
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) open.push_back(h);
   }
   const auto take = [&](Vertex a, Vertex b) {
     const auto found = std::ranges::find_if(open, [&](HalfEdge h) { return from(h) == a && to(h) == b; });

@@ -52,6 +52,8 @@ class FlatMesh {
   [[nodiscard]] int turn(int axis, Vertex a, Vertex b, Vertex c) const;
   [[nodiscard]] bool is_between(Vertex a, Vertex v, Vertex b) const;
 
+  void put(std::uint32_t t, const FlatTriangle& triangle);
+  void remove(std::uint32_t t);
   [[nodiscard]] std::vector<HalfEdge> leaving(Vertex v);
   [[nodiscard]] Fan fan_from(HalfEdge h) const;
   [[nodiscard]] bool may_go(Vertex v, std::span<const Fan> fans) const;
@@ -62,6 +64,7 @@ class FlatMesh {
   std::vector<FlatTriangle> triangles_;
   std::vector<HalfEdge> twins_;                 ///< the other half of a joined edge; else kNone
   std::vector<std::vector<std::uint32_t>> at_;  ///< of each vertex, its triangles, and perhaps such as were
+  std::vector<std::uint32_t> counts_;           ///< of each vertex, how many triangles it has
 };
 
 }  // namespace occlude::culler

@@ -387,4 +387,12 @@ TEST(SimplifiedOccluders, WhatIsAroundOneCornerMayStay) {
   EXPECT_EQ(size_of(edge), 200U);
 }
 
+/// A corner with many triangles waits until its neighbours have gone, and costs nothing meanwhile.
+TEST(SimplifiedOccluders, ManyTrianglesAroundACornerAreMergedFromTheirBorder) {
+  PolygonSoup fan;
+  constexpr int kCount = 100'000;
+  for (int i = 0; i < kCount; ++i) add(fan, {dvec3(0, 0, 0), dvec3(kCount, i, 0), dvec3(kCount, i + 1, 0)});
+  EXPECT_EQ(size_of(fan), 1U);
+}
+
 }  // namespace simplified_occluders_test
