@@ -147,7 +147,7 @@ std::vector<FlatMesh::HalfEdge> FlatMesh::leaving(Vertex v) {
     if (!is_gone(t) && at != corners.end()) result.push_back(3 * t + static_cast<HalfEdge>(at - corners.begin()));
   }
   std::ranges::sort(result);
-  result.erase(std::ranges::unique(result).begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   at_[v].clear();
   for (const HalfEdge h : result) at_[v].push_back(h / 3);
   return result;

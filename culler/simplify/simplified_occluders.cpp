@@ -86,9 +86,9 @@ SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& o
   result.flat_triangles = mesh.size();
 
   std::vector<Candidate> candidates;
-  for (const auto& [corners, polygon] : mesh.triangles()) {
-    const auto at = [&](std::size_t i) { return soup.vertices[corners[i]]; };
-    candidates.push_back({{at(0), at(1), at(2)}, {polygon, OccluderOrigin::kNoBox}});
+  for (const FlatTriangle& triangle : mesh.triangles()) {
+    const auto at = [&](std::size_t i) { return soup.vertices[triangle.corners[i]]; };
+    candidates.push_back({{at(0), at(1), at(2)}, {triangle.polygon, OccluderOrigin::kNoBox}});
   }
   std::vector<InnerBox> boxes;
   if (options.boxes.boxes > 0) boxes = find_inner_boxes(soup, options.boxes, {}, checkpoint).boxes;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -44,13 +45,13 @@ std::array<dvec3, 2> some_directions(Random& random) {
 /// A wall of squares, each divided in one of several ways, some left out, turned over, see-through or drawn twice. It may be
 /// folded along its rows, and some corners lie a little beside their places.
 void add_fine_wall(Random& random, PolygonSoup& soup, double scale) {
-  const auto [right, up] = some_directions(random);
+  const std::array<dvec3, 2> along = some_directions(random);
   const dvec3 begin = lattice_point(random, 3), fold = random.chance(0.3) ? lattice_point(random, 1) : dvec3(0);
   const int columns = random.integer(1, 5), rows = random.integer(1, 5);
   const double damage = random.chance(0.5) ? 0 : 0.1;
   std::vector<std::uint32_t> corners;
   const auto put = [&](double i, double k) {
-    dvec3 v = scale * (begin + i * right + k * up + std::fabs(std::remainder(k, 2.0)) * fold);
+    dvec3 v = scale * (begin + i * along[0] + k * along[1] + std::fabs(std::remainder(k, 2.0)) * fold);
     if (random.chance(0.2 * damage)) v[random.integer(0, 2)] += scale * std::ldexp(1.0, -random.integer(5, 52));
     return soup.add_vertex(v);
   };
@@ -125,11 +126,11 @@ std::vector<Triangle> part_with(SoupView soup, std::size_t of) {
     const auto is_connected = [&](const Triangle& triangle) {
       return std::ranges::any_of(triangle, [&](const Point& p) { return corners.contains(p); });
     };
-    const auto rest = std::ranges::stable_partition(left, [&](const Triangle& triangle) { return !is_connected(triangle); });
-    grows = !rest.empty();
-    for (const Triangle& triangle : rest) corners.insert(triangle.begin(), triangle.end());
-    part.insert(part.end(), rest.begin(), rest.end());
-    left.erase(rest.begin(), rest.end());
+    const auto rest = std::stable_partition(left.begin(), left.end(), std::not_fn(is_connected));
+    grows = rest != left.end();
+    for (auto triangle = rest; triangle != left.end(); ++triangle) corners.insert(triangle->begin(), triangle->end());
+    part.insert(part.end(), rest, left.end());
+    left.erase(rest, left.end());
   }
   return part;
 }

@@ -94,9 +94,9 @@ std::string refute_on_faces(std::span<const Triangle> faces, const Triangle& tri
   if (normal(triangle) == CGAL::NULL_VECTOR) return "a triangle without area is none of the faces";
   const auto beside = [&](const Triangle& face) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = std::minmax({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
-      const auto is_below = [&](const Point& p) { return p[axis] < low; };
-      const auto is_above = [&](const Point& p) { return p[axis] > high; };
+      const std::array<double, 3> at{triangle[0][axis], triangle[1][axis], triangle[2][axis]};
+      const auto is_below = [&](const Point& p) { return p[axis] < std::ranges::min(at); };
+      const auto is_above = [&](const Point& p) { return p[axis] > std::ranges::max(at); };
       if (std::ranges::all_of(face, is_below) || std::ranges::all_of(face, is_above)) return true;
     }
     return false;
