@@ -17,7 +17,7 @@ namespace {
 /// grows with the square of its triangles: one with many stays.
 constexpr std::size_t kMostAround = 64;
 /// As many sides of an edge are held against each other.
-constexpr std::size_t kMostSides = 16;
+constexpr std::size_t kMostAlong = 16;
 
 /// A side of a triangle, to be found with the others along its edge.
 struct EdgeSide {
@@ -121,7 +121,7 @@ void FlatMesh::join(const Checkpoint& checkpoint) {
     along.clear();
     for (const EdgeSide first = sides[i]; i < sides.size() && sides[i].is_along(first); ++i)
       along.push_back(sides[i].half_edge);
-    if (along.size() <= kMostSides) join_edge(along);
+    if (along.size() <= kMostAlong) join_edge(along);
   }
 }
 

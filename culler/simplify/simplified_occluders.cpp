@@ -18,7 +18,7 @@ namespace occlude::culler {
 namespace {
 
 /// A triangle to choose, where it comes from, and what it is chosen for.
-struct Candidate {
+struct Offer {
   std::array<glm::dvec3, 3> corners;
   OccluderOrigin origin;
   double size = 0;
@@ -32,32 +32,31 @@ double size_of(const std::array<glm::dvec3, 3>& corners, std::span<const glm::dv
   return sum;
 }
 
-void add_boxes(std::span<const InnerBox> boxes, std::vector<Candidate>& candidates) {
+void add_boxes(std::span<const InnerBox> boxes, std::vector<Offer>& offers) {
   const PolygonSoup faces = soup_of(boxes);
   const std::size_t of_box = boxes.empty() ? 1 : faces.size() / boxes.size();
   for (std::size_t face = 0; face < faces.size(); ++face) {
     const auto loop = faces.loop(face);
     const auto box = static_cast<std::uint32_t>(face / of_box);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      candidates.push_back(
+      offers.push_back(
           {{faces.vertices[loop[0]], faces.vertices[loop[i]], faces.vertices[loop[i + 1]]}, {boxes[box].polygon, box}});
     }
   }
 }
 
-/// The first of so many candidates, over vertices that they share.
-void add_triangles(std::span<const Candidate> candidates, SimplifiedOccluders& result, const Checkpoint& checkpoint) {
+/// The first of so many offers, over vertices that they share.
+void add_triangles(std::span<const Offer> offers, SimplifiedOccluders& result, const Checkpoint& checkpoint) {
   std::vector<glm::dvec3> corners;
-  for (const Candidate& candidate : candidates)
-    corners.insert(corners.end(), candidate.corners.begin(), candidate.corners.end());
+  for (const Offer& offer : offers) corners.insert(corners.end(), offer.corners.begin(), offer.corners.end());
   std::vector<std::uint32_t> numbers = welded(corners, checkpoint);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const bool is_first = numbers[i] == i;
     numbers[i] = is_first ? result.soup.add_vertex(corners[i]) : numbers[numbers[i]];
   }
-  for (std::size_t t = 0; t < candidates.size(); ++t) {
+  for (std::size_t t = 0; t < offers.size(); ++t) {
     result.soup.add_polygon(std::span(numbers).subspan(3 * t, 3));
-    result.origins.push_back(candidates[t].origin);
+    result.origins.push_back(offers[t].origin);
   }
 }
 
@@ -85,21 +84,21 @@ SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& o
   mesh.simplify(checkpoint);
   result.flat_triangles = mesh.size();
 
-  std::vector<Candidate> candidates;
+  std::vector<Offer> offers;
   for (const FlatTriangle& triangle : mesh.triangles()) {
     const auto at = [&](std::size_t i) { return soup.vertices[triangle.corners[i]]; };
-    candidates.push_back({{at(0), at(1), at(2)}, {triangle.polygon, OccluderOrigin::kNoBox}});
+    offers.push_back({{at(0), at(1), at(2)}, {triangle.polygon, OccluderOrigin::kNoBox}});
   }
   std::vector<InnerBox> boxes;
   if (options.boxes.boxes > 0) boxes = find_inner_boxes(soup, options.boxes, {}, checkpoint).boxes;
-  add_boxes(boxes, candidates);
+  add_boxes(boxes, offers);
   const auto measure = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) candidates[i].size = size_of(candidates[i].corners, options.eyes);
+    for (std::size_t i = begin; i < end; ++i) offers[i].size = size_of(offers[i].corners, options.eyes);
   };
-  for_ranges(candidates.size(), measure, checkpoint);
-  std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::size);
-  candidates.resize(std::min(candidates.size(), options.triangles));
-  add_triangles(candidates, result, checkpoint);
+  for_ranges(offers.size(), measure, checkpoint);
+  std::ranges::stable_sort(offers, std::ranges::greater(), &Offer::size);
+  offers.resize(std::min(offers.size(), options.triangles));
+  add_triangles(offers, result, checkpoint);
   keep_used(boxes, result);
   return result;
 }
