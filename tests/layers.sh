@@ -75,6 +75,7 @@ frusta: base model camera descent
 cover: base model camera descent
 scene: base model camera descent cover
 inner: base model frusta
+simplify: base model frusta inner
 frame: base model camera descent frusta cover
 held: base model camera descent scene frame
 store: base model frusta cover frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// occlude preprocess: finds out once what every walk through a model can use, and boxes inside of it for engines.
+// occlude preprocess: finds out once what every walk through a model can use, and occluders for engines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include "frame/sampling.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/inner_boxes.h"
+#include "occlude/culler/simplified_occluders.h"
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/interrupt.h"
@@ -29,6 +30,7 @@
 #include "occlude/render/ranks.h"
 #include "occlude/render/stopwatch.h"
 #include "occlude/render/store.h"
+#include "path_arguments.h"
 
 namespace occlude::cli {
 namespace {
@@ -36,13 +38,15 @@ namespace {
 using nlohmann::ordered_json;
 
 struct PreprocessArguments {
-  std::string model, out, inner_boxes, pattern = "even", seed = "1";
+  std::string model, out, inner_boxes, occluders, pattern = "even", seed = "1";
   ReadArguments read;
   BuildArguments build;
   culler::ListConfig lists;
   culler::SampleConfig samples;
   culler::InnerBoxOptions boxes;
-  bool json = false;
+  culler::SimplifyOptions simple;
+  PathArguments path;
+  bool with_boxes = false, json = false;
   PartsArguments parts;
   std::string given;  ///< the options on which the samples depend
 };
@@ -155,6 +159,31 @@ Summary make_inner_boxes(render::OutputFile& file, culler::SoupView soup, const 
        {"seconds", seconds}}};
 }
 
+Summary make_occluders(render::OutputFile& file, const render::Model& model, const PreprocessArguments& arguments) {
+  const render::Stopwatch stopwatch;
+  std::vector<glm::dvec3> eyes;
+  if (arguments.path.is_given()) {
+    const render::CameraPath path = arguments.path.through(arguments.model, model);
+    warn_of_misfit(path, arguments.path, arguments.model, model.soup);
+    eyes = path.viewpoints();
+  }
+  culler::SimplifyOptions options = arguments.simple;
+  options.eyes = eyes;
+  if (arguments.with_boxes) options.boxes = arguments.boxes;
+  const culler::SimplifiedOccluders found = simplified_occluders(model.soup, options, render::check_interrupt);
+  const double seconds = stopwatch.seconds();
+  render::write_ply(file, found.soup, "occluders made of a model");
+  file.close();
+  return {fmt::format("{}: of {} triangles that are drawn {} do for all; {} chosen, with faces of {} boxes; {:.1f} s\n",
+                      arguments.occluders, found.drawn_triangles, found.flat_triangles, found.soup.size(),
+                      found.boxes.size(), seconds),
+          {{"drawn_triangles", found.drawn_triangles},
+           {"flat_triangles", found.flat_triangles},
+           {"triangles", found.soup.size()},
+           {"boxes", found.boxes.size()},
+           {"seconds", seconds}}};
+}
+
 void preprocess(PreprocessArguments& arguments) {
   culler::BuildConfig config = arguments.build.config();
   arguments.lists.kind = config.lists.kind;
@@ -165,10 +194,12 @@ void preprocess(PreprocessArguments& arguments) {
   // Others than the first rank help to sample.
   const bool is_first = render::is_first_rank();
   if (!is_first && (arguments.out.empty() || arguments.samples.viewpoints == 0)) return;
-  std::optional<render::OutputFile> file, box_file;
+  std::optional<render::OutputFile> file, box_file, occluder_file;
   if (is_first && !arguments.out.empty()) file.emplace(arguments.out);
   if (is_first && !arguments.inner_boxes.empty()) box_file.emplace(arguments.inner_boxes);
-  const culler::PolygonSoup soup = read_model(arguments.model, arguments.read.options()).soup;
+  if (is_first && !arguments.occluders.empty()) occluder_file.emplace(arguments.occluders);
+  const render::Model model = read_model(arguments.model, arguments.read.options());
+  const culler::PolygonSoup& soup = model.soup;
 
   render::Job job = job_of(arguments, soup);
   if (!is_first) {
@@ -176,16 +207,18 @@ void preprocess(PreprocessArguments& arguments) {
     return;
   }
   Summary told{"", {{"polygons", soup.size()}}};
+  const auto tell_too = [&](const char* member, const Summary& more) {
+    told.line += more.line;
+    told.json[member] = more.json;
+  };
   if (file) told = make_store(*file, job, soup, arguments, config);
-  if (box_file) {
-    const Summary boxes = make_inner_boxes(*box_file, soup, arguments);
-    told.line += boxes.line;
-    told.json["inner_boxes"] = boxes.json;
-  }
+  if (box_file) tell_too("inner_boxes", make_inner_boxes(*box_file, soup, arguments));
+  if (occluder_file) tell_too("occluders", make_occluders(*occluder_file, model, arguments));
   {
     const render::Uninterrupted together;
     if (file) file->commit();
     if (box_file) box_file->commit();
+    if (occluder_file) occluder_file->commit();
   }
   job.finish();
   if (file) told.json["bytes"] = std::filesystem::file_size(arguments.out);
@@ -208,16 +241,20 @@ void add_preprocess(Command app, int&) {
       "with oriented boxes (--bounds obb), which is as good as who made it.\n"
       "\n"
       "Inner boxes are occluders for engines: they lie exactly inside of the closed parts of the model, and hide nothing\n"
-      "wrongly from eyes outside of these parts.\n" +
+      "wrongly from eyes outside of these parts. So do the occluders of --occluders, with a budget of triangles: they lie\n"
+      "exactly on the model, and hide nothing wrongly from any eye, but for those --with-boxes.\n" +
       limits_help() +
       "\n"
-      "Example: occlude preprocess city.ply --out city.pre --inner-boxes boxes.ply");
+      "Example: occlude preprocess city.ply --out city.pre --inner-boxes boxes.ply\n"
+      "Example: occlude preprocess city.ply --occluders few.ply --triangles 5000 --path city.json");
   const auto a = std::make_shared<PreprocessArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
-  Command outputs = command.add_any_of("Outputs", "one of these or both");
+  Command outputs = command.add_any_of("Outputs", "one of these or more");
   add_output(outputs, "--out", a->out, "file to write");
   const Option inner_boxes = add_output(outputs, "--inner-boxes", a->inner_boxes,
                                         "PLY to write: boxes inside of the closed parts, six quadrilaterals each");
+  const Option occluders = add_output(outputs, "--occluders", a->occluders,
+                                      "PLY to write: triangles on the model that hide in its place, the largest first");
   a->read.add_to(command);
   a->build.add_to(command);
   command.add("--region-count", a->lists.regions, "number of regions aimed at; of a tree the most")
@@ -244,11 +281,21 @@ void add_preprocess(Command app, int&) {
       .show_default()
       .in_range(std::size_t{3}, std::size_t{64})
       .needs(inner_boxes);
+  command.add("--triangles", a->simple.triangles, "occluders at most")
+      .show_default()
+      .in_range(std::size_t{1}, std::size_t{1} << 30U)
+      .needs(occluders);
+  a->path.add_to(command, "from where the occluders are looked at", "those with the largest area are chosen")
+      .needs(occluders);
+  command
+      .add_flag("--with-boxes", a->with_boxes,
+                "choose among faces of inner boxes, too: where no eye gets into a closed part")
+      .needs(occluders);
   command.add_flag("--json", a->json, "print the counts as JSON");
   a->parts.add_to(command, "preprocess");
   command.run_on_all_ranks([a, command] {
-    a->given = command.given_but(
-        {"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--json", "--quiet", "--parts", "--resume"});
+    a->given = command.given_but({"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--occluders", "--triangles",
+                                  "--path", "--matrix-order", "--with-boxes", "--json", "--quiet", "--parts", "--resume"});
     preprocess(*a);
   });
 }

@@ -24,6 +24,9 @@ constexpr std::size_t kShareOfAsking = 4;
 constexpr double kGuess = 25e-6;
 constexpr std::size_t kWorkOfGuess = 4096;
 
+/// Milliseconds of what a frame does before its work and after it, whatever the budget, measured on an AMD EPYC.
+constexpr double kAround = 0.05;
+
 /// How many triangles a frame could draw with the budget.
 double triangles_of(const CoverOptions& options) {
   return std::min(static_cast<double>(options.work), options.ms / kGuess) / double{CoverOptions::kWorkOfTriangle};
@@ -43,7 +46,7 @@ CullBudget::CullBudget(const CoverOptions& options, Clock::time_point start)
   }
   if (!is_timed_) return;
   begin_ = Clock::now();
-  end_of_asking_ = start + to_duration(options.ms);
+  end_of_asking_ = start + to_duration(options.ms - kAround);
   end_ = end_of_asking_ - to_duration(options.ms / double{kShareOfAsking});
 }
 

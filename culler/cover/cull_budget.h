@@ -14,6 +14,10 @@
 
 namespace occlude::culler {
 
+/// The work that is left to do at the end for a leaf that is seen, which is asked again, and for one that is kept to be
+/// drawn: both are put in order. With less, frames take longer than their budget: by a fifth of 1 ms above a landscape.
+inline constexpr std::size_t kWorkOfSeen = 3, kWorkOfKept = 1;
+
 /// Work is counted as CoverOptions::work says.
 class CullBudget {
  public:

@@ -78,7 +78,7 @@ class ClosingModelNodes : public ModelNodes<Watch> {
     if (!is_leaf) return true;
     const bool is_worth = opening.open >= worth;
     found_.see({tested.block.node[i], tested.block.items(i), opening.footprint, is_worth});
-    budget_.reserve(1);
+    budget_.reserve(kWorkOfSeen);
     if (is_worth) painter_.enqueue(tested.block.items(i), opening.footprint.most);
     return false;
   }
@@ -126,6 +126,7 @@ class LeftModelNodes : public ModelNodes<Watch> {
   bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
     if (!tested.block.is_leaf(i)) return true;
     found_.keep(tested.block.items(i));
+    this->budget_.reserve(kWorkOfKept);
     return false;
   }
 

@@ -26,6 +26,7 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"joined", run_joined});
     list.push_back({"region", run_regions});
     list.push_back({"world", run_worlds});
+    list.push_back({"simplified", run_simplified});
     return list;
   }();
   return all;

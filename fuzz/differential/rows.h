@@ -66,4 +66,9 @@ void run_regions(std::uint64_t seed, Report& report);
 /// anew with the same content must draw the same.
 void run_worlds(std::uint64_t seed, Report& report);
 
+/// Makes simplified occluders of fine walls, with boxes inside or without. A case is a triangle: `inside` means that it is
+/// proved to lie on what is drawn, `partial` half a face of a proved inner box, `outside` one that was moved by three ulps,
+/// which must not be proved. All that is drawn must lie on the triangles.
+void run_simplified(std::uint64_t seed, Report& report);
+
 }  // namespace occlude::fuzz

@@ -27,7 +27,8 @@ import formats
 # step of the work.
 COMMANDS = {
     "generate city": ("--polygons 20000 --out city.ply --path city.json", "city.ply city.json"),
-    "preprocess": ("{city} --region-count 64 --out city.store --inner-boxes boxes.ply", "city.store boxes.ply"),
+    "preprocess": ("{city} --region-count 64 --out city.store --inner-boxes boxes.ply --occluders few.ply",
+                   "city.store boxes.ply few.ply"),
     "walk": ("{walls} --path {path} --frames 0:8 --size 64x36 --out out --witness out/witness.jsonl",
              "out/summary.json out/frames.csv out/report.html out/witness.jsonl"),
     "render": ("{walls} --path {path} --frames 0:8 --size 64x36 --out walls.png", "walls.png"),

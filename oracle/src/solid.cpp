@@ -100,4 +100,22 @@ std::string refute_inner_box(std::span<const Triangle> triangles, const Aabb& bo
   return "no ray misses all edges";
 }
 
+std::string refute_half_face(const Aabb& box, const Triangle& triangle) {
+  const auto is_corner = [&](const Point& p) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (p[axis] != box.min[axis] && p[axis] != box.max[axis]) return false;
+    }
+    return true;
+  };
+  if (!std::ranges::all_of(triangle, is_corner)) return "not between corners of the box";
+  const auto& [a, b, c] = triangle;
+  const RationalVector normal = CGAL::cross_product(rational(b) - rational(a), rational(c) - rational(a));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (a[axis] != b[axis] || b[axis] != c[axis]) continue;
+    const int outwards = a[axis] == box.max[axis] ? 1 : -1;
+    return normal[static_cast<int>(axis)] * outwards > 0 ? "" : "turned inwards";
+  }
+  return "on no face of the box";
+}
+
 }  // namespace occlude::oracle

@@ -50,6 +50,7 @@ Result run(const Subject& subject, const Options& options, const std::vector<std
   if (is_chosen("sweeps")) result.sweeps = measure_sweeps(subject, options);
   if (is_chosen("sort")) result.sort = measure_sorting(subject, options);
   if (is_chosen("joined")) result.joined = measure_joined(subject, options);
+  if (is_chosen("occluders")) result.occluders = measure_occluders(subject, options);
   if (is_chosen("threads")) result.threads = measure_threads(subject, options);
   if (is_chosen("growth")) result.growth = measure_growth(options);
   return result;

@@ -11,6 +11,7 @@
 #include "growth.h"
 #include "joined.h"
 #include "occlude/render/summary.h"
+#include "occluders.h"
 #include "setting.h"
 #include "sorting.h"
 #include "sweeps.h"
@@ -19,7 +20,7 @@
 namespace occlude::experiments {
 
 /// The experiments, in the order in which they run.
-inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", "joined", "threads", "growth"};
+inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", "joined", "occluders", "threads", "growth"};
 
 /// The results of the chosen experiments; the others are empty.
 struct Result {
@@ -31,6 +32,7 @@ struct Result {
   std::optional<Sweeps> sweeps;
   std::optional<Sorting> sort;
   std::optional<Joined> joined;
+  std::optional<Occluders> occluders;
   std::vector<ThreadsPoint> threads;
   std::optional<Growth> growth;
 };

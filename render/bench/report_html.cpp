@@ -115,6 +115,7 @@ std::string report_sections(const Result& result, const Options& options) {
   if (result.sweeps) html += sweeps_section(*result.sweeps);
   if (result.sort) html += sort_section(*result.sort);
   if (result.joined) html += joined_section(*result.joined);
+  if (result.occluders) html += section(occluders_table(*result.occluders));
   if (!result.threads.empty()) html += section(threads_table(result.threads));
   if (result.growth) html += growth_section(*result.growth);
   return html + section("Conditions", R"(<p class="soft">)" + render::escaped(conditions(options)) + "</p>");

@@ -97,6 +97,7 @@ std::string report_json(const Result& result, const Options& options) {
                       {"leaves", json_of(leaves_table(*result.joined))},
                       {"budgets", json_of(budgets_table(*result.joined))}};
   }
+  json["occluders"] = result.occluders ? json_of(occluders_table(*result.occluders)) : Json(nullptr);
   json["threads"] = result.threads.empty() ? Json(nullptr) : json_of(threads_table(result.threads));
   json["growth"] = result.growth ? growth_json(*result.growth) : Json(nullptr);
   json["machine"] = json_of(result.table2 ? result.table2->machine : render::this_machine());

@@ -22,6 +22,7 @@ std::string report_text(const Result& result, const Options& options) {
     add(text_of(leaves_table(*result.joined)));
     add(text_of(budgets_table(*result.joined)));
   }
+  if (result.occluders) add(text_of(occluders_table(*result.occluders)));
   if (!result.threads.empty()) add(text_of(threads_table(result.threads)));
   if (result.growth) add(text_of(growth_table(*result.growth)));
   add(conditions(options) + "\n");

@@ -130,6 +130,26 @@ Table budgets_table(const Joined& joined) {
   return joined_table("Joined shadows, budget of a frame", "", "", "milliseconds", joined.budgets);
 }
 
+Table occluders_table(const Occluders& occluders) {
+  Table table{"Simplified occluders, in a scene",
+              {{"what hides", "chosen"},
+               {"triangles", "triangles"},
+               {"hidden", "hidden_share", percent},
+               {"drawn into the picture", "cover_triangles"},
+               {"cull, ms", "cull_ms", rounded<2>},
+               {"cull, ratio to the first", "cull_ratio", rounded<2>}},
+              {}};
+  for (const OccludersPoint& p : occluders.points) {
+    table.rows.push_back({p.chosen, p.triangles, p.hidden_share, p.cover_triangles, p.cull_ms, p.cull_ratio});
+  }
+  table.notes.push_back(
+      fmt::format("Objects are {} leaves of a tree of the model. Hidden: of those in view. Triangles are chosen by how "
+                  "large they look along "
+                  "the path. Boxes are inside of closed parts, and hide nothing wrongly as long as no eye is in one.",
+                  grouped(static_cast<double>(occluders.objects))));
+  return table;
+}
+
 Table threads_table(const std::vector<ThreadsPoint>& points) {
   Table table{"One cull by frusta on several threads",
               {{"threads", "threads"},

@@ -9,6 +9,7 @@
 #include "growth.h"
 #include "joined.h"
 #include "occlude/render/table.h"
+#include "occluders.h"
 #include "sorting.h"
 #include "sweeps.h"
 #include "threads.h"
@@ -24,6 +25,7 @@ using render::Table;
 [[nodiscard]] Table pictures_table(const Joined& joined);
 [[nodiscard]] Table leaves_table(const Joined& joined);
 [[nodiscard]] Table budgets_table(const Joined& joined);
+[[nodiscard]] Table occluders_table(const Occluders& occluders);
 [[nodiscard]] Table threads_table(const std::vector<ThreadsPoint>& points);
 [[nodiscard]] Table growth_table(const Growth& growth);
 

@@ -62,8 +62,8 @@ void add_bench_culler(Command bench, int&) {
   a->subject.add_to(command);
   command
       .add("--only", a->only,
-           "experiments, separated by commas: table2, figure4, sweeps, sort, joined, threads, growth (default: all; "
-           "with a MODEL all except growth, which needs cities)")
+           "experiments, separated by commas: table2, figure4, sweeps, sort, joined, occluders, threads, growth (default: "
+           "all; with a MODEL all except growth, which needs cities)")
       .split_at(',')
       .one_of(std::vector<std::string>(experiments::kExperiments.begin(), experiments::kExperiments.end()));
   a->walk.add_size_to(command);

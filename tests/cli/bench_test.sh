@@ -26,14 +26,14 @@ expect_error "--seed" "$occlude" bench kernel --seed -1
   fail "bench culler: $(cat stderr)"
 cmp -s bench.json bench/culler.json || fail "bench culler: culler.json is not what it prints"
 for member in model polygons frames options table2 methods mean culled_share speedup_limit figures_2_and_3 view_frustum_polygons figure4 knee \
-  all_three all_three_over_area_angle_at_8 sweeps entries cull_ratio sort comparisons_anew joined pictures cover_size leaves budgets threads speedup most_speedup call_us growth exponents build machine; do
+  all_three all_three_over_area_angle_at_8 sweeps entries cull_ratio sort comparisons_anew joined pictures cover_size leaves budgets occluders hidden_share threads speedup most_speedup call_us growth exponents build machine; do
   grep -q "^ *\"$member\": " bench/culler.json || fail "bench culler: no $member"
 done
 grep -q '"speedup": null' bench/culler.json || fail "bench culler --no-render: a speedup of nothing drawn"
 [ "$(grep -o '<svg' bench/culler.html | wc -l)" -eq 13 ] || fail "bench culler: $(grep -o '<svg' bench/culler.html | wc -l) charts"
 grep -q '<script\|src="http\|href="http\|nan\|inf"' bench/culler.html && fail "bench culler: scripts, addresses or no numbers in the page"
 "$occlude" bench culler good.ply --path path.json --frames 0:4 --size 64x36 --samples 0 --repetitions 1 >stdout || fail "bench culler MODEL"
-for title in 'Table 2' 'Figure 4' 'Number of regions' 'Threshold' 'Sort from' 'coarse picture' 'size of the leaves' 'several threads'; do
+for title in 'Table 2' 'Figure 4' 'Number of regions' 'Threshold' 'Sort from' 'coarse picture' 'size of the leaves' 'Simplified occluders' 'several threads'; do
   grep -q "$title" stdout || fail "bench culler MODEL: no $title"
 done
 grep -q 'Growth with the number of polygons' stdout && fail "bench culler MODEL: cities"

@@ -48,6 +48,8 @@ keeps good.ply walk --out out --witness link.ply
 keeps good.ply "$occlude" walk link.ply --path path.json --out out --witness good.ply
 keeps good.ply "$occlude" preprocess good.ply --out hard.ply
 keeps good.ply "$occlude" preprocess good.ply --inner-boxes hard.ply
+keeps good.ply "$occlude" preprocess good.ply --occluders hard.ply
+keeps path.json "$occlude" preprocess good.ply --occluders path.json --path path.json
 for name in summary.json frames.csv report.html; do
   mkdir reads && cp path.json reads/$name
   keeps reads/$name "$occlude" walk good.ply --path reads/$name --out reads --no-render
@@ -163,7 +165,7 @@ for options in "walk good.ply --path path.json --out @" "walk good.ply --path @ 
   "why good.ply --path path.json --frame 0 --polygon 0 --out @" "why good.ply --path path.json --frame @ --polygon 0" \
   "why good.ply --path @ --frame 0 --polygon 0" "why @ --path path.json --frame 0 --polygon 0" \
   "why good.ply --path path.json --frame 0 --pixel @" "why good.ply --path path.json --frame 0 --polygon @" \
-  "preprocess @ --out out.pre" "preprocess good.ply --out @" "preprocess good.ply --inner-boxes @" "generate city --out @ --path path2.json" \
+  "preprocess @ --out out.pre" "preprocess good.ply --out @" "preprocess good.ply --inner-boxes @" "preprocess good.ply --occluders @" "generate city --out @ --path path2.json" \
   "generate city --out out.ply --path @" "classify @" "fuzz @" "fuzz --parts @" "fuzz --cases 1 --out @" "fuzz --cases @" \
   "bench culler @ --path path.json" "bench culler good.ply --path @" "bench culler good.ply --path path.json --out @" \
   "bench kernel --seed @"; do
@@ -241,7 +243,7 @@ nothing_left() {
 }
 [ ! -e /dev/full ] || for options in "walk good.ply --path path.json --size 64x36 --no-render --out out --witness /dev/full" \
   "walk good.ply --path path.json --size 64x36 --no-render --out out --cases /dev/full" \
-  "preprocess good.ply --out /dev/full" "preprocess good.ply --inner-boxes /dev/full" "fuzz --cases 1 --out /dev/full" \
+  "preprocess good.ply --out /dev/full" "preprocess good.ply --inner-boxes /dev/full" "preprocess good.ply --occluders /dev/full" "fuzz --cases 1 --out /dev/full" \
   "generate city --polygons 20000 --out /dev/full --path out.json" \
   "fuzz untrue.jsonl --findings /dev/full"; do
   expected=2

@@ -102,6 +102,26 @@ expect_error "named twice" "$occlude" preprocess solids.ply --inner-boxes solids
 expect_error "out.ply" "$occlude" preprocess solids.ply --out out.ply --inner-boxes ./out.ply
 expect_error "missing" "$occlude" preprocess solids.ply --inner-boxes missing/out.ply
 
+# Occluders: a floor of 64 squares is two triangles, and a model itself; with boxes, faces of them are among the largest.
+ply floor.ply 81 64 ''
+awk 'BEGIN { for (y = 0; y < 9; ++y) for (x = 0; x < 9; ++x) print x / 10, y / 10, 0
+  for (y = 0; y < 8; ++y) for (x = 0; x < 8; ++x) { a = 9 * y + x; print 4, a, a + 1, a + 10, a + 9 } }' >>floor.ply
+"$occlude" preprocess floor.ply --occluders few.ply >stdout || fail "preprocess --occluders: $(cat stdout)"
+grep -q '^few.ply: of 128 triangles that are drawn 2 do for all; 2 chosen, with faces of 0 boxes; .* s$' stdout ||
+  fail "preprocess --occluders says: $(cat stdout)"
+"$occlude" preprocess few.ply --occluders again.ply --json >stdout || fail "occluders are no model: $(cat stdout)"
+cmp -s few.ply again.ply || fail "the occluders of occluders are others"
+grep -q '"drawn_triangles": 2,' stdout && grep -q '"triangles": 2,' stdout || fail "--json of occluders: $(cat stdout)"
+"$occlude" walk few.ply --path fly --out walked --frames 0:2 --no-render >/dev/null 2>stderr || fail "walk OCCLUDERS: $(cat stderr)"
+"$occlude" preprocess solids.ply --occluders few.ply --triangles 6 --with-boxes --json >stdout || fail "--with-boxes: $(cat stdout)"
+grep -q '"triangles": 6,' stdout && grep -q '"boxes": 1,' stdout || fail "--with-boxes: $(cat stdout)"
+"$occlude" preprocess slanting.ply --occluders near.ply --triangles 1 --path path.json >stdout || fail "--path: $(cat stdout)"
+grep -q '; 1 chosen' stdout || fail "--path: $(cat stdout)"
+expect_error "--occluders" "$occlude" preprocess solids.ply --out out.pre --triangles 8
+expect_error "--triangles" "$occlude" preprocess solids.ply --occluders out.ply --triangles 0
+expect_error "out.ply" "$occlude" preprocess solids.ply --inner-boxes out.ply --occluders ./out.ply
+expect_error "missing.json" "$occlude" preprocess solids.ply --occluders out.ply --path missing.json
+
 # When interrupted, it leaves the old file. The lists here take many times as long as usual.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
 echo old >city.pre

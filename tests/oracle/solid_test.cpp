@@ -46,5 +46,16 @@ TEST(InnerBox, SegmentsCountToo) {
   EXPECT_EQ(refute_inner_box(solid, {{1, 2, 1}, {2, 3, 2}}), "");
 }
 
+TEST(HalfFace, OfABox) {
+  const Aabb box{{0, 0, 0}, {1, 2, 3}};
+  EXPECT_EQ(refute_half_face(box, {Point{1, 0, 0}, Point{1, 2, 0}, Point{1, 2, 3}}), "");
+  EXPECT_EQ(refute_half_face(box, {Point{0, 0, 0}, Point{0, 2, 3}, Point{0, 2, 0}}), "");
+  EXPECT_EQ(refute_half_face(box, {Point{1, 0, 0}, Point{1, 2, 3}, Point{1, 2, 0}}), "turned inwards");
+  EXPECT_EQ(refute_half_face(box, {Point{0, 0, 0}, Point{1, 2, 0}, Point{1, 2, 3}}), "on no face of the box");
+  EXPECT_EQ(refute_half_face(box, {Point{1, 0, 0}, Point{1, 0, 0}, Point{1, 2, 3}}), "turned inwards") << "no area";
+  EXPECT_EQ(refute_half_face(box, {Point{1, 0, 0}, Point{1, 2, 0}, Point{1, 2, above(3)}}),
+            "not between corners of the box");
+}
+
 }  // namespace solid_test
 }  // namespace occlude::oracle

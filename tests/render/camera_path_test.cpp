@@ -93,6 +93,16 @@ TEST_F(CameraPathTest, LinearFramesLieOnTheKeyframes) {
   EXPECT_EQ(path.camera(4, 2).aspect, 2);
 }
 
+TEST_F(CameraPathTest, ViewpointsAreThoseOfSomeFrames) {
+  CameraPath path = read(good().dump());
+  ASSERT_EQ(path.viewpoints().size(), path.frames);
+  EXPECT_EQ(path.viewpoints()[1], path.camera(1, 1).eye);
+  path.frames = 1'000'000;
+  ASSERT_EQ(path.viewpoints().size(), 100U);
+  EXPECT_EQ(path.viewpoints().front(), path.keyframes.front().eye);
+  EXPECT_EQ(path.viewpoints().back(), path.keyframes.back().eye);
+}
+
 TEST_F(CameraPathTest, KeyframesAreHitExactlyWhateverTheirNumbers) {
   CameraPath path;
   // Coordinates so far apart that a + (b - a) is not b.

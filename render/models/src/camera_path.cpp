@@ -77,6 +77,15 @@ culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
   return camera;
 }
 
+std::vector<glm::dvec3> CameraPath::viewpoints() const {
+  constexpr std::size_t kMost = 100;
+  std::vector<glm::dvec3> points;
+  for (std::size_t i = 0, count = std::min(kMost, frames); i < count; ++i) {
+    points.push_back(camera(i * (frames - 1) / (count - 1), 1).eye);
+  }
+  return points;
+}
+
 std::optional<PathFault> fault_of(const CameraPath& path) {
   for (std::size_t frame = 0; frame < path.frames; ++frame) {
     const culler::Camera camera = path.camera(frame, 1);

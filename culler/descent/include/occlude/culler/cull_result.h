@@ -115,7 +115,8 @@ struct CoverOptions {
   /// drawn again with what touches it counts again. On every machine the same frame is the same. In a Scene, objects are all
   /// asked, because each is listed anyway; occluders have three quarters.
   std::size_t work = (std::numeric_limits<std::size_t>::max)();
-  /// The most milliseconds, from the beginning of the frame. What is culled then depends on the machine's speed.
+  /// The most milliseconds, about: frames of the models tried take up to a quarter more, and what the view frustum alone
+  /// takes. What is culled then depends on the machine's speed.
   double ms = std::numeric_limits<double>::infinity();
   /// To repeat a frame: what it did (repeated()). The limits above do not matter then.
   std::optional<CoverWork> as_before = {};

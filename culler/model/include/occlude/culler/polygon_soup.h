@@ -39,8 +39,8 @@ struct PolygonRange {
 /// 3. all indices are below vertices.size();
 /// 4. `faces` is empty, or has a number for each polygon: 0, and then the one before it or the next;
 /// 5. `see_through` is empty, or has 0 or 1 for each polygon.
-/// Culler, OccluderMesh, preprocess() and find_inner_boxes() refuse a soup that is not; everything else REQUIRES that it is.
-/// Polygon numbers are not checked.
+/// Culler, OccluderMesh, preprocess(), find_inner_boxes() and simplified_occluders() refuse a soup that is not; everything
+/// else REQUIRES that it is. Polygon numbers are not checked.
 struct SoupView {
   /// `first` where there is no polygon.
   static constexpr std::array<std::uint32_t, 1> kNoPolygon = {0};
