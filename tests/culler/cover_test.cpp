@@ -318,6 +318,7 @@ TEST(CoverFrame, ABudgetIsKept) {
     EXPECT_GE(culled(frame), last);
     last = culled(frame);
     EXPECT_EQ(proved(culler, frame, camera, options), culled(frame));
+    EXPECT_EQ(proved(culler, frame, camera, kCover), culled(frame)) << "whatever it was that limited it";
     const MissedReasons reasons(culler, camera, options, frame);
     for (std::uint32_t p = 0; p < culler.hierarchy().soup().size(); ++p) {
       if (!culler.cull_of(whole, p) || culler.cull_of(frame, p)) continue;
