@@ -97,7 +97,8 @@ bool CoverPainter::flush_group() {
   for (const std::uint32_t triangle : group.ids()) memory_.stamps[source_->first + triangle] = memory_.stamp;
   ++stats_.cover_groups;
   stats_.cover_triangles += group.ids().size();
-  budget_.add(CoverOptions::kWorkOfTriangle * (group.ids().size() - own));
+  // Triangles without area were counted, and are not in it.
+  budget_.add(CoverOptions::kWorkOfTriangle * (std::max(group.ids().size(), own) - own));
   memory_.buffer.add(group.mesh(source_->triangles, source_->instance), ++groups_);
   if (stats_.cover_triangles >= next_join_) {
     memory_.buffer.join_layers();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -367,6 +368,30 @@ TEST(CoverFrame, IsRepeatedWhateverTimeItHad) {
     cut += frame.stats.unasked_polygons > 0 ? 1 : 0;
   }
   EXPECT_GT(cut, 0U);
+}
+
+/// Triangles without area are counted with those of their leaf, and then not drawn.
+TEST(CoverFrame, IsRepeatedWhereTrianglesHaveNoArea) {
+  PolygonSoup soup = panels(40);
+  const auto panels = static_cast<std::uint32_t>(soup.size());
+  for (std::uint32_t p = 0; p < panels; ++p) {
+    const std::uint32_t a = soup.loop(p)[0], b = soup.loop(p)[1];
+    for (int i = 0; i < 3; ++i) soup.add_polygon(std::array{a, b, a, b});
+  }
+  const Culler culler = culler_of(soup, 16);
+  Camera camera;
+  camera.target = {1, 0, 0};
+  const std::size_t all = culler.cull(camera, kCover).stats.cover_work.drawing;
+  for (std::size_t k = 1; k < 40; ++k) {
+    CullOptions options = kCover;
+    options.cover.work = all * k / 40;
+    const CullResult frame = culler.cull(camera, options);
+    EXPECT_LE(frame.stats.cover_work.drawing, all);
+    EXPECT_EQ(proved(culler, frame, camera, options), culled(frame)) << k;
+    const CullStats again = culler.cull(camera, repeated(frame, options)).stats;
+    EXPECT_EQ(again.cover_work, frame.stats.cover_work) << k;
+    EXPECT_EQ(again.cover_triangles, frame.stats.cover_triangles) << k;
+  }
 }
 
 TEST(Automatic, LooksLessWhereLittleIsHiddenAndTriesAgain) {
