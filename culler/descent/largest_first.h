@@ -28,10 +28,10 @@ class LargestFirst {
   void visit(const BlockTree& tree, Tests& tests) {
     std::ranges::stable_sort(blocks_, std::ranges::greater{}, [](const Left& left) { return left.block->items().count; });
     for (std::size_t next = 0; next < blocks_.size(); ++next) {
-      const auto [block, state] = blocks_[next];
-      tests.visit(*block, state, [&](std::uint32_t i, const State& below) {
-        tree.prefetch(block->below[i]);
-        push(tree[block->below[i]], below);
+      const Left left = blocks_[next];
+      tests.visit(*left.block, left.state, [&](std::uint32_t i, const State& below) {
+        tree.prefetch(left.block->below[i]);
+        push(tree[left.block->below[i]], below);
       });
     }
     blocks_.clear();
