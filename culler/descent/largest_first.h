@@ -26,7 +26,10 @@ class LargestFirst {
   /// Visits the blocks and those below them.
   template <class Tests>
   void visit(const BlockTree& tree, Tests& tests) {
-    std::ranges::stable_sort(blocks_, std::ranges::greater{}, [](const Left& left) { return left.block->items().count; });
+    std::ranges::sort(blocks_, [](const Left& a, const Left& b) {
+      const std::uint32_t of_a = a.block->items().count, of_b = b.block->items().count;
+      return of_a != of_b ? of_a > of_b : a.block < b.block;
+    });
     for (std::size_t next = 0; next < blocks_.size(); ++next) {
       const Left left = blocks_[next];
       tests.visit(*left.block, left.state, [&](std::uint32_t i, const State& below) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "allocations.h"
 #include "culler/scenes.h"
@@ -59,11 +60,15 @@ TEST(View, AllocatesInItsFirstFrameAlone) {
 
 TEST(View, AllocatesNothingByCoverEither) {
   const Culler culler(random_town_of_houses(31, 3000), {.hierarchy = {.leaf_size = 4}});
-  View view;
-  const CullOptions options{.method = Method::cover, .cover = {.width = 256, .height = 144}};
-  EXPECT_GT(walk(culler, options, Projection::perspective, view, 0, 0, 1), 0U);
-  for (int path = 0; path < 4; ++path) EXPECT_EQ(walk(culler, options, Projection::perspective, view, path), 0U) << path;
-  EXPECT_GT(view.result().stats.cover_groups, 0U);
+  for (const std::size_t work : {std::numeric_limits<std::size_t>::max(), std::size_t{3000}}) {
+    View view;
+    CullOptions options{.method = Method::cover, .cover = {.width = 256, .height = 144}};
+    options.cover.work = work;
+    EXPECT_GT(walk(culler, options, Projection::perspective, view, 0, 0, 1), 0U);
+    for (int path = 0; path < 4; ++path) EXPECT_EQ(walk(culler, options, Projection::perspective, view, path), 0U) << path;
+    EXPECT_TRUE(work == 3000 || view.result().stats.cover_groups > 0);
+    EXPECT_EQ(view.result().stats.cover_work.asking > 0, work == 3000) << "what was left was asked";
+  }
 }
 
 /// With an executor, not when the paths are walked again and again. A frame divides subtrees by what earlier frames found,
