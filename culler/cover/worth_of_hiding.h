@@ -15,6 +15,11 @@ namespace occlude::culler {
 /// depends on the frames alone, not on time.
 class WorthOfHiding {
  public:
+  /// The options of the next frame: with no more work than it is worth.
+  [[nodiscard]] CoverOptions limited(CoverOptions options) const {
+    options.work = std::min(options.work, work());
+    return options;
+  }
   /// What the next frame may spend (CoverOptions::work).
   [[nodiscard]] std::size_t work() const {
     if (pays()) return std::numeric_limits<std::size_t>::max();

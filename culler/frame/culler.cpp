@@ -99,7 +99,7 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     begin_frame(hierarchy_, camera, options, memory);
     CullOptions limited = options;
     const bool is_automatic = options.method == Method::automatic;
-    if (is_automatic) limited.cover.work = std::min(limited.cover.work, memory.worth.work());
+    if (is_automatic) limited.cover = memory.worth.limited(options.cover);
     cull_by_cover(hierarchy_, tree, triangles, limited, memory.frame, memory.cover, memory.leaves);
     const CullStats& stats = memory.frame.result.stats;
     if (is_automatic) memory.worth.learn(stats.shadow_culled_polygons, stats.drawn_polygons);

@@ -309,7 +309,7 @@ void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, co
                 SceneView::Memory& memory) {
   begin_frame(memory);
   SceneOptions limited = options;
-  if (options.is_adaptive) limited.cover.work = std::min(limited.cover.work, memory.worth.work());
+  if (options.is_adaptive) limited.cover = memory.worth.limited(options.cover);
   SceneFrame frame(objects, occluders, limited, memory);
   frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
   frame.list_objects();

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -151,10 +150,7 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
 
 namespace {
 
-culler::Method method_named(const std::string& name) {
-  constexpr std::array kMethods{culler::Method::automatic, culler::Method::frusta, culler::Method::cover};
-  return *std::ranges::find(kMethods, name, render::name_of);
-}
+culler::Method method_named(const std::string& name) { return *std::ranges::find(render::kMethods, name, render::name_of); }
 
 }  // namespace
 

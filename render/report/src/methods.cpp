@@ -46,6 +46,22 @@ MethodRow row_of(const MethodWalk& of, bool is_drawn) {
   return result;
 }
 
+struct Names {
+  const char *name, *words;
+};
+
+Names names_of(culler::Method method) {
+  switch (method) {
+    case culler::Method::automatic:
+      return {"automatic", "automatic"};
+    case culler::Method::frusta:
+      return {"frusta", "shadow frusta"};
+    case culler::Method::cover:
+      return {"cover", "joined shadows"};
+  }
+  return {"", ""};
+}
+
 /// Nothing was culled where it takes no time.
 std::string ms_of_culling(double ms) { return ms > 0 ? rounded(ms, 2) : "-"; }
 
@@ -64,14 +80,13 @@ Methods methods_of(const std::vector<MethodWalk>& walks, bool is_drawn) {
 }
 
 std::vector<WalkOptions> options_beside(const WalkOptions& options) {
-  using culler::Method;
   std::vector<WalkOptions> others;
   if (options.hold > 0) {
     others.emplace_back(options).hold = 0;
     return others;
   }
   const bool is_best = options.build.hierarchy.leaf_size == culler::leaf_size_for(options.cull.method);
-  for (const Method method : {Method::automatic, Method::frusta, Method::cover}) {
+  for (const culler::Method method : kMethods) {
     if (method == options.cull.method) continue;
     WalkOptions& other = others.emplace_back(options);
     other.cull.method = method;
@@ -85,29 +100,8 @@ WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, con
   return walk_frames(culler, path, options, drawing);
 }
 
-const char* name_of(culler::Method method) {
-  switch (method) {
-    case culler::Method::automatic:
-      return "automatic";
-    case culler::Method::frusta:
-      return "frusta";
-    case culler::Method::cover:
-      return "cover";
-  }
-  return "";
-}
-
-const char* text_of(culler::Method method) {
-  switch (method) {
-    case culler::Method::automatic:
-      return "automatic";
-    case culler::Method::frusta:
-      return "shadow frusta";
-    case culler::Method::cover:
-      return "joined shadows";
-  }
-  return "";
-}
+const char* name_of(culler::Method method) { return names_of(method).name; }
+const char* text_of(culler::Method method) { return names_of(method).words; }
 
 std::string method_text(const WalkOptions& options) {
   return std::string(text_of(options.cull.method)) + (options.hold > 0 ? ", held" : "");

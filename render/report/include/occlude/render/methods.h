@@ -3,6 +3,7 @@
 // drawing only visible polygons.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -45,6 +46,7 @@ struct MethodWalk {
 /// Walks without a report. REQUIRES: the culler is that of make_culler() with these options.
 [[nodiscard]] WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options);
 
+inline constexpr std::array kMethods{culler::Method::automatic, culler::Method::frusta, culler::Method::cover};
 /// As options and files have it.
 [[nodiscard]] const char* name_of(culler::Method method);
 /// In words.
