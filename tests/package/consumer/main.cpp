@@ -40,12 +40,13 @@ int main() {
   }
   const bool culled = drawn == std::vector<std::uint32_t>{1} && frame.stats.shadow_culled_polygons == 1;
 
-  // Batches call Highway: that it is linked too shows only here.
+  // The shadow frusta of the paper's method, and the kernel. Batches call Highway: that it is linked too shows only here.
+  const CullResult shadows = culler.cull(Camera{}, {.method = Method::frusta});
   namespace kernel = occlude::kernel;
   const kernel::BoxBatch boxes(std::array{kernel::Aabb{{4, -0.5, -0.5}, {4, 0.5, 0.5}}});
   std::array relations{kernel::Relation::outside};
   bool inside = false;
-  for (const Occluder& occluder : frame.occluders) {
+  for (const Occluder& occluder : shadows.occluders) {
     kernel::overlap_certified(occluder.frustum, boxes, kernel::NearBoundary::open, relations);
     inside |= relations[0] == kernel::Relation::inside;
   }
