@@ -46,6 +46,16 @@ class CoverBuffer {
   /// From now on, keeps for each pixel the mesh that last brought it nearer.
   void keep_owners();
 
+  /// Pixels of a tile that a mesh brought nearer.
+  struct Closing {
+    std::uint32_t tile, id;
+    std::uint64_t pixels;  ///< as cover_tile.h has them
+  };
+  /// From now on, keeps what each mesh brings nearer. REQUIRES: the picture is of one eye.
+  void keep_closings();
+  /// In the order in which it was added.
+  [[nodiscard]] std::span<const Closing> closings() const { return closings_; }
+
   /// Closes the pixels that the mesh closes as far as it is beyond the near plane. `id` identifies it in owners(). Layers
   /// that are much farther than the mesh are left to join_layers().
   void add(const CoverMesh& mesh, std::uint32_t id = 0);
@@ -134,6 +144,7 @@ class CoverBuffer {
   [[nodiscard]] const DrawnSheet& sheet(std::uint32_t i) const { return sheets_[i]; }
 
   [[nodiscard]] const ConservativeViewport& picture() const { return picture_; }
+  [[nodiscard]] int tiles_across() const { return tiles_across_; }
   /// The mesh that was added last, as it was drawn.
   [[nodiscard]] const SheetRasteriser& piece() const { return rasteriser_; }
 
@@ -153,6 +164,7 @@ class CoverBuffer {
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void note_nearest(std::size_t first, std::size_t count);
   void own(std::size_t first, std::size_t count, std::uint32_t id);
+  void note_closings(std::size_t first, std::size_t count, std::uint32_t id);
   [[nodiscard]] TilePicture tile_picture() const {
     return {nearness_.data(), farthest_.data(), tiles_across_, picture_.height() / kTile};
   }
@@ -179,6 +191,8 @@ class CoverBuffer {
   std::vector<std::uint32_t> owners_;  ///< ids, or numbers of sheets, in the order of nearness_; empty unless they are kept
   std::vector<float> owned_;           ///< how near the owners are: less than nearness_ where join_layers() found more
   std::vector<DrawnSheet> sheets_;     ///< of several eyes, as owners_
+  bool keeps_closings_ = false;
+  std::vector<Closing> closings_;
 };
 
 }  // namespace occlude::culler

@@ -26,7 +26,9 @@ struct SeenLeaf {
   std::uint32_t node;
   ItemRange items;
   CoverBuffer::Footprint footprint;
-  bool is_taken;  ///< whether its polygons were taken to be drawn into the picture
+  std::uint32_t group;  ///< the number of the group with which its polygons were to be drawn into the picture; 0 if none
+
+  [[nodiscard]] bool is_taken() const { return group != 0; }
 };
 
 /// The leaves of a frame, and room to sort them. It is kept so that only the first frame allocates.

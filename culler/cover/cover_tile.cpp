@@ -228,6 +228,8 @@ void bring_nearer(float* pixels, std::span<float> farthest, const std::uint64_t*
   }
 }
 
+std::uint64_t pixels_up_to(const float* pixels, float most) { return at_most(kRows, pixels, most, 0, kTilePixels); }
+
 /// A tile per lane. Nothing is fused, so the results do not depend on the number of lanes.
 void lower(const TileNearness& picture, const PixelRectangle& tiles, const PlaneBound& plane, float least) {
   const hn::CappedTag<double, kTile> d;
@@ -291,6 +293,7 @@ HWY_EXPORT(lower);
 HWY_EXPORT(nearer_than);
 HWY_EXPORT(each_nearer);
 HWY_EXPORT(bring_nearer);
+HWY_EXPORT(pixels_up_to);
 }  // namespace
 
 int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough) {
@@ -316,6 +319,8 @@ TileRange nearer(std::span<const float> farthest, const float* nearness) {
 void bring_nearer(float* pixels, std::span<float> farthest, const std::uint64_t* closed, const float* nearness) {
   HWY_DYNAMIC_DISPATCH(bring_nearer)(pixels, farthest, closed, nearness);
 }
+
+std::uint64_t pixels_up_to(const float* pixels, float most) { return HWY_DYNAMIC_DISPATCH(pixels_up_to)(pixels, most); }
 
 }  // namespace occlude::culler
 #endif

@@ -71,5 +71,7 @@ struct TileRange {
 /// nearer already, or it is infinite. farthest[i] is the least nearness of all pixels of the tile. Touches nothing past the
 /// tiles.
 void bring_nearer(float* pixels, std::span<float> farthest, const std::uint64_t* closed, const float* nearness);
+/// The pixels of a tile that have a nearness of at most `most`.
+[[nodiscard]] std::uint64_t pixels_up_to(const float* pixels, float most);
 
 }  // namespace occlude::culler

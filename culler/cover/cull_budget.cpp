@@ -40,9 +40,10 @@ CullBudget::CullBudget(const CoverOptions& options, Clock::time_point start)
       most_(options.work - options.work / kShareOfAsking),
       most_asking_(options.work / kShareOfAsking) {
   if (options.as_before) {
-    most_ = options.as_before->drawing;
-    most_asking_ = options.as_before->asking;
-    worth_ = options.as_before->worth;
+    const CoverWork& work = options.as_before->work;
+    most_ = work.drawing;
+    most_asking_ = work.asking;
+    worth_ = work.worth;
   }
   if (!is_timed_) return;
   begin_ = Clock::now();

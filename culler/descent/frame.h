@@ -29,6 +29,7 @@ struct Frame {
     result.view.clear();
     result.occluders.clear();
     result.pairs.clear();
+    result.idle.clear();
     result.stats = {};
     result.method = Method::frusta;
     // Drawn and culled subtrees have no leaf in common, and between two drawn ranges something is culled.

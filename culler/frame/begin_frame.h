@@ -19,6 +19,7 @@ void begin_frame(const Hierarchy& hierarchy, const AnyCamera& camera, const Cull
   frame.view = FrameView(camera, depth(hierarchy.nodes()[0].box, eye_of(camera)));
   frame.view.append_half_spaces(frame.result.view);
   frame.margin = ShadowMargin(frame.view, options.margin);
+  memory.idle.begin(options.cover);
 }
 
 }  // namespace occlude::culler

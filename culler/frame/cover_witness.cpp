@@ -150,7 +150,7 @@ void Culler::append_covers_of(const CullResult& frame, const AnyCamera& camera, 
   const CullOptions same = repeated(frame, options);
   View::Memory memory;
   begin_frame(hierarchy_, camera, same, memory);
-  cull_by_cover(hierarchy_, tree(), triangles(), same, memory.frame, memory.cover, memory.leaves,
+  cull_by_cover(hierarchy_, tree(), triangles(), same, memory.frame, memory.cover, memory.leaves, memory.idle,
                 CoverReplay(hierarchy_, memory.cover, most, witnesses));
 }
 

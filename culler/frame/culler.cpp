@@ -98,11 +98,16 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     const BlockTree tree = this->tree();
     begin_frame(hierarchy_, camera, options, memory);
     CullOptions limited = options;
-    const bool is_automatic = options.method == Method::automatic;
-    if (is_automatic) limited.cover = memory.worth.limited(options.cover);
-    cull_by_cover(hierarchy_, tree, triangles, limited, memory.frame, memory.cover, memory.leaves);
+    const bool is_adaptive =
+        options.method == Method::automatic && !options.cover.as_before && memory.frame.view.eyes.is_point();
+    if (is_adaptive) {
+      memory.worth.begin_next(memory.frame.view);
+      memory.idle.begin_next(memory.worth.frame(), hierarchy_.nodes().size(), memory.frame.result);
+      limited.cover = memory.worth.limited(options.cover);
+    }
+    cull_by_cover(hierarchy_, tree, triangles, limited, memory.frame, memory.cover, memory.leaves, memory.idle);
     const CullStats& stats = memory.frame.result.stats;
-    if (is_automatic) memory.worth.learn(stats.shadow_culled_polygons, stats.drawn_polygons);
+    if (is_adaptive) memory.worth.learn(stats.shadow_culled_polygons, stats.drawn_polygons);
   } else {
     // In the order of prepare().
     const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;

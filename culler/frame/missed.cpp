@@ -38,7 +38,7 @@ void MissedReasons::find_what_hides(const AnyCamera& camera, const CullOptions& 
     return;
   }
   cover_ = cover_of(culler_, camera, repeated(frame_, options));
-  if (frame_.stats.cover_groups_left == 0 && frame_.stats.unasked_polygons == 0) return;
+  if (frame_.stats.cover_groups_left == 0 && frame_.stats.unasked_polygons == 0 && frame_.idle.empty()) return;
   CullOptions unlimited = options;
   unlimited.cover.work = std::numeric_limits<std::size_t>::max();
   unlimited.cover.ms = std::numeric_limits<double>::infinity();
@@ -157,7 +157,7 @@ bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) con
 }
 
 Missed MissedReasons::missed_by_cover(std::uint32_t p, const kernel::Aabb& box, Work& work) const {
-  if (unlimited_ && culler_.cull_of(*unlimited_, p) != nullptr) return Missed::over_budget;
+  if (unlimited_ && culler_.cull_of(*unlimited_, p) != nullptr) return Missed::left_out;
   constexpr std::size_t kPlanes = 100;  // a box takes about as much time: it is projected, and some tiles are read
   work.take(kPlanes);
   const CoverBuffer::Gap gap = cover_->gap(box);

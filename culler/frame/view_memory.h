@@ -6,6 +6,7 @@
 
 #include "cover/cover_frame.h"
 #include "cover/cover_painter.h"
+#include "cover/idle_nodes.h"
 #include "cover/worth_of_hiding.h"
 #include "descent/frame.h"
 #include "frusta/frusta_memory.h"
@@ -20,6 +21,7 @@ struct View::Memory {
   CoverMemory cover;
   CoverLeaves leaves;
   WorthOfHiding worth;
+  IdleNodes idle;
 };
 
 /// What is kept of the view. Not protected by `const`.

@@ -41,7 +41,7 @@ class ObjectListing::Objects : public StandingNodes {
   static bool is_few(const ItemRange&) { return true; }
 
   void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
-    listing_.count(culled.by, group_.count(block.items(i), listing_.options_.mask));
+    listing_.cull(culled.by, block.boxes.box(i), group_.count(block.items(i), listing_.options_.mask));
   }
 
   template <class Boxes>

@@ -8,6 +8,7 @@
 
 #include "camera/view_planes.h"
 #include "cover/cover_buffer.h"
+#include "cover/hiding_meshes.h"
 #include "occlude/culler/scene.h"
 #include "scene/thing_group.h"
 
@@ -17,10 +18,11 @@ namespace occlude::culler {
 class ObjectListing {
  public:
   /// Lists to `room`, which must be enough for all objects of the groups. What is given outlives this.
-  /// Objects are hidden in `hiding`; `own` is the picture of the camera, in which they have a size.
+  /// Objects are hidden in `hiding`; `own` is the picture of the camera, in which they have a size. `told`, unless it is null,
+  /// is told where they are hidden.
   ObjectListing(const SceneOptions& options, const ViewPlanes& view, const CoverBuffer& hiding, const CoverBuffer& own,
-                std::span<DrawnObject> room)
-      : options_(options), view_(view), hiding_(hiding), own_(own), room_(room) {}
+                HidingMeshes* told, std::span<DrawnObject> room)
+      : options_(options), view_(view), hiding_(hiding), own_(own), told_(told), room_(room) {}
 
   /// The objects of a group that are neither hidden nor out of view. `straddled_planes` has a bit for each plane of the view
   /// that may cross the group.
@@ -29,9 +31,10 @@ class ObjectListing {
   void clear() { stats_ = {}; }
   /// Lists an object.
   void draw(const DrawnObject& object) { room_[stats_.drawn++] = object; }
-  /// Counts objects that are culled.
-  void count(Culled::By by, std::size_t objects) {
+  /// Counts objects that are culled in a box.
+  void cull(Culled::By by, const kernel::Aabb& box, std::size_t objects) {
     (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
+    if (told_ != nullptr && by == Culled::By::cover) told_->hide(hiding_.footprint(box).pixels);
   }
 
   [[nodiscard]] bool is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const;
@@ -50,6 +53,7 @@ class ObjectListing {
   const SceneOptions& options_;
   const ViewPlanes& view_;
   const CoverBuffer &hiding_, &own_;
+  HidingMeshes* told_;
   std::span<DrawnObject> room_;
   SceneStats stats_;
 };

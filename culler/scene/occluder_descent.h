@@ -17,6 +17,8 @@
 #include "camera/view_planes.h"
 #include "cover/cover_descent.h"
 #include "cover/cover_painter.h"
+#include "cover/hiding_meshes.h"
+#include "cover/idle_set.h"
 #include "cover/opening.h"
 #include "cover/placed.h"
 #include "cover/prepared_mesh.h"
@@ -54,12 +56,28 @@ struct OccluderMemory {
     const SceneOccluders::Standing* occluder;
     CoverSource polygons;
     bool is_drawn = false;
+    bool has_hidden = false;  ///< something; found by find_idle()
   };
 
   std::vector<Node> nodes;
   std::vector<Turn> turns;  ///< a heap, the next one first
   std::vector<Turn> small;  ///< those that wait until the others have had theirs, in no order
   std::vector<Source> sources;
+  std::vector<std::uint32_t> groups;  ///< of each group that was drawn, the index of its source
+  IdleSet idle;                       ///< slots of occluders
+  std::uint64_t idle_edition = 0;     ///< those that have changed since this edition are not idle
+  std::vector<std::uint32_t> taken;   ///< of those, the ones that the frame took as idle
+
+  /// After a frame in which nothing was idle: idle are the occluders of which it drew polygons, or would have drawn some, and
+  /// which hid nothing.
+  void find_idle(const HidingMeshes& hiding) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (hiding.has_hidden(static_cast<std::uint32_t>(g + 1))) sources[groups[g]].has_hidden = true;
+    }
+    for (const Source& source : sources) {
+      if (!source.has_hidden) idle.set(source.occluder->id.slot());
+    }
+  }
 };
 
 /// The boxes of a block where they are.
@@ -184,12 +202,16 @@ class OccluderDescent {
     memory_.turns.clear();
     memory_.small.clear();
     memory_.sources.clear();
+    memory_.groups.clear();
     // In trees of eight, fewer nodes are above the occluders than there are of these, and at most four above a small group.
     const std::size_t nodes = 2 * boxes_.seen_size() + 4 * boxes_.groups().size() + occluders_.meshes().nodes;
     memory_.nodes.reserve(std::bit_ceil(std::min(nodes, kMostReserved)));
     memory_.turns.reserve(std::bit_ceil(std::min(nodes, kMostReserved)));
     if (worth_ > 0) memory_.small.reserve(memory_.turns.capacity());
-    memory_.sources.reserve(std::bit_ceil(std::min(boxes_.seen_size(), kMostReserved)));
+    const std::size_t occluders = std::bit_ceil(std::min(boxes_.seen_size(), kMostReserved));
+    memory_.sources.reserve(occluders);
+    memory_.taken.reserve(occluders);
+    memory_.groups.reserve(std::bit_ceil(std::min(nodes, kMostReserved)));
     painter_.reserve(std::min(occluders_.meshes().triangles, kMostTrianglesReserved));
   }
 
@@ -297,6 +319,7 @@ class OccluderDescent {
     }
     const Standing& occluder = occluders_.standing(group.id(block.begin[node.i]));
     if (!painter_.may_draw() || !takes_part_(occluder)) return;
+    if (occluder.edition <= memory_.idle_edition && memory_.idle.take(occluder.id.slot(), memory_.taken)) return;
     const BlockTree tree = tree_of(occluder);
     const std::uint32_t source = add_source(occluder);
     if (StandingNodes::is_few(tree.items())) {
@@ -355,6 +378,7 @@ class OccluderDescent {
     if (!painter_.flush_group()) return;
     if (!source.is_drawn) ++stats_.occluders;
     source.is_drawn = true;
+    memory_.groups.push_back(static_cast<std::uint32_t>(&source - memory_.sources.data()));
     joined_(painter_, *source.occluder);
   }
 

@@ -93,7 +93,7 @@ void require_legal(std::span<const Box> boxes) {
 
 /// The options that repeat the last frame of the view.
 SceneOptions repeated(const SceneView& view, SceneOptions options) {
-  options.cover = repeated(view.result().stats.work, options.cover);
+  options.cover.as_before = {view.result().stats.work.cover_work, memory_of(view).occluders.taken};
   return options;
 }
 

@@ -40,11 +40,22 @@ class SceneFrame {
         buffer_(memory.cover.buffer),
         hiding_(hiding),
         painter_(memory.view, options.cover, options.margin, memory.cover, stats_.work),
-        asking_(options, planes_, hiding_, buffer_, {}) {}
+        asking_(options, planes_, hiding_, buffer_, nullptr, {}) {}
   /// What the frame itself draws into its picture hides.
   SceneFrame(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
              SceneView::Memory& memory)
       : SceneFrame(objects, occluders, options, memory, memory.cover.buffer) {}
+
+  /// Looks for what is idle. REQUIRES: nothing was drawn so far.
+  void begin_looking() {
+    told_ = &memory_.hiding;
+    told_->begin(buffer_);
+    memory_.cover.buffer.keep_closings();
+  }
+  void find_idle() {
+    told_->find(buffer_.closings());
+    memory_.occluders.find_idle(*told_);
+  }
 
   /// What is seen of the occluders closes pixels. joined(painter, occluder) is called after each group that is drawn.
   template <class Joined>
@@ -107,7 +118,8 @@ class SceneFrame {
   }
 
   [[nodiscard]] ObjectListing listing(std::size_t first, std::size_t objects) {
-    return {options_, planes_, hiding_, buffer_, std::span(memory_.room.get(), memory_.room_size).subspan(first, objects)};
+    const std::span room(memory_.room.get(), memory_.room_size);
+    return {options_, planes_, hiding_, buffer_, told_, room.subspan(first, objects)};
   }
 
   /// The groups of a scene, for a descent of their tree.
@@ -126,7 +138,7 @@ class SceneFrame {
     }
     static bool is_few(const ItemRange&) { return true; }
     void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
-      listing_.count(culled.by, objects_.count(block.items(i), mask_));
+      listing_.cull(culled.by, block.boxes.box(i), objects_.count(block.items(i), mask_));
     }
     template <class Boxes>
     bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
@@ -228,6 +240,7 @@ class SceneFrame {
   const CoverBuffer& buffer_;  ///< of the frame
   const CoverBuffer& hiding_;  ///< in which objects are hidden: the same, or one that is held
   CoverPainter painter_;
+  HidingMeshes* told_ = nullptr;  ///< what is hidden, if that is to be found
   ViewPlanes planes_{memory_.planes, kernel::Arithmetic::certified};
   ObjectListing asking_;  ///< which lists nothing
 };
@@ -236,6 +249,7 @@ class SceneFrame {
 void begin_frame(SceneView::Memory& memory) {
   memory.result.drawn.clear();
   memory.result.view.clear();
+  memory.occluders.taken.clear();
   memory.view.append_half_spaces(memory.result.view);
   memory.result.stats = {};
   memory.planes.clear();
@@ -247,7 +261,7 @@ class FrameAgain {
  public:
   FrameAgain(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
              const SceneOptions& options)
-      : objects_(objects), memory_(begun(view)), frame_(objects, occluders, options, memory_) {
+      : objects_(objects), memory_(begun(view, options.cover)), frame_(objects, occluders, options, memory_) {
     memory_.cover.buffer.keep_owners();
     frame_.draw_occluders([&](const CoverPainter& painter, const SceneOccluders::Standing& occluder) {
       drawn_.keep(painter, memory_.cover, static_cast<std::uint32_t>(drawn_occluders_.size()));
@@ -264,8 +278,10 @@ class FrameAgain {
   }
 
  private:
-  [[nodiscard]] static SceneView::Memory begun(const FrameView& view) {
+  [[nodiscard]] static SceneView::Memory begun(const FrameView& view, const CoverOptions& options) {
     SceneView::Memory memory;
+    if (options.as_before) memory.occluders.idle.begin_again(options.as_before->idle);
+    memory.occluders.idle_edition = std::numeric_limits<std::uint64_t>::max();
     memory.view = view;
     begin_frame(memory);
     return memory;
@@ -309,11 +325,22 @@ void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, co
                 SceneView::Memory& memory) {
   begin_frame(memory);
   SceneOptions limited = options;
-  if (options.is_adaptive) limited.cover = memory.worth.limited(options.cover);
+  const bool is_adaptive = options.is_adaptive && !options.is_to_be_held && memory.view.eyes.is_point();
+  bool looks = false;
+  memory.occluders.idle.begin_alone();
+  if (is_adaptive) {
+    memory.worth.begin_next(memory.view, memory.occluders.idle_edition != occluders.edition());
+    looks = memory.worth.frame() == WorthOfHiding::Frame::looks;
+    memory.occluders.idle.begin_next(looks, occluders.slots());
+    if (looks) memory.occluders.idle_edition = occluders.edition();
+    limited.cover = memory.worth.limited(options.cover);
+  }
   SceneFrame frame(objects, occluders, limited, memory);
+  if (looks) frame.begin_looking();
   frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
   frame.list_objects();
-  if (options.is_adaptive) memory.worth.learn(memory.result.stats.hidden, memory.result.stats.drawn);
+  if (looks) frame.find_idle();
+  if (is_adaptive) memory.worth.learn(memory.result.stats.hidden, memory.result.stats.drawn);
 }
 
 /// Its own picture is for nothing but the sizes of objects, and so as small as pictures are.

@@ -12,6 +12,7 @@
 #include "base/work_runner.h"
 #include "camera/frame_view.h"
 #include "cover/cover_painter.h"
+#include "cover/hiding_meshes.h"
 #include "cover/worth_of_hiding.h"
 #include "occlude/culler/scene.h"
 #include "occlude/kernel/half_space.h"
@@ -46,6 +47,7 @@ struct SceneView::Memory {
   CoverMemory cover;
   WorthOfHiding worth;
   OccluderMemory occluders;
+  HidingMeshes hiding;
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;
   std::vector<Part> parts;

@@ -131,6 +131,7 @@ void SceneOccluders::retire(Placed& occluder) {
 bool SceneOccluders::update(const Executor& executor) {
   boxes_.update(executor);
   standing_.resize(placed_.size());
+  if (!changed_.empty()) ++edition_;
   for (const std::uint32_t slot : changed_) {
     const Placed& occluder = placed_[slot];
     if (occluder.id.is_none()) continue;  // it was removed again
@@ -140,7 +141,8 @@ bool SceneOccluders::update(const Executor& executor) {
                        occluder.object,
                        occluder.is_one_sided,
                        occluder.placement == Placement{},
-                       is_mirrored(occluder.placement)};
+                       is_mirrored(occluder.placement),
+                       edition_};
   }
   changed_.clear();
   retired_.clear();

@@ -50,9 +50,14 @@ class SceneOccluders {
     Placement placement;
     ObjectId object;
     bool is_one_sided = false, is_identity = true, is_mirrored = false;
+    std::uint64_t edition = 0;  ///< since which it is so
   };
   /// REQUIRES: it is in a group of boxes().
   [[nodiscard]] const Standing& standing(OccluderId id) const { return standing_[id.slot()]; }
+  /// Grows with each update in which one was added, moved or replaced.
+  [[nodiscard]] std::uint64_t edition() const { return edition_; }
+  /// Slots of all of them are less.
+  [[nodiscard]] std::size_t slots() const { return standing_.size(); }
   /// The sizes of all meshes together, once for each occluder: no frame draws or asks more.
   [[nodiscard]] const MeshSize& meshes() const { return seen_meshes_; }
 
@@ -83,6 +88,7 @@ class SceneOccluders {
   // Of the views.
   std::vector<Standing> standing_;  ///< by slots
   MeshSize seen_meshes_;
+  std::uint64_t edition_ = 0;
 };
 
 }  // namespace occlude::culler

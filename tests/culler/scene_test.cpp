@@ -377,6 +377,7 @@ TEST_P(Worlds, AreCulledAsIfMadeAnew) {
     SceneOptions options;
     options.cover = {.width = 256, .height = 144};
     if (chance(3)) options.mask = 1 + below(7);
+    options.is_adaptive = false;
     const SceneResult& result = scene_.cull(camera, options, view);
     expect_right(camera, options, view, frame % 4 == 0 ? 20 : 0);
     std::vector<std::uint32_t> drawn;
@@ -386,6 +387,30 @@ TEST_P(Worlds, AreCulledAsIfMadeAnew) {
   }
   EXPECT_GT(hidden_, 5000U);
   EXPECT_GT(proved_, 60U);
+}
+
+/// Whatever a view takes as idle, and however the scene and the camera have changed since.
+TEST_P(Worlds, AreCulledRightlyByViewsThatSaveWork) {
+  for (int i = 0; i < 200; ++i) add_occluder();
+  add_objects(3000);
+  SceneView view;
+  std::size_t idle = 0;
+  Camera camera = random_camera(random_);
+  for (int frame = 0; frame < 60; ++frame) {
+    if (frame % 20 == 19) camera = random_camera(random_);
+    camera.eye.x += 0.1;
+    edit(frame % 7 == 0 ? 300 : 20);
+    scene_.update();
+    SceneOptions options;
+    options.cover = {.width = 256, .height = 144};
+    if (chance(4)) options.cover.work = 3000;
+    scene_.cull(camera, options, view);
+    expect_right(camera, options, view, frame % 4 == 0 ? 20 : 0);
+    idle += memory_of(view).occluders.taken.size();
+  }
+  EXPECT_GT(hidden_, 2000U);
+  EXPECT_GT(proved_, 60U);
+  EXPECT_GT(idle, 100U);
 }
 
 /// Thousands of occluders are in many groups, and how they are depends on all that went before. Frames must not.
@@ -404,6 +429,7 @@ TEST_P(Worlds, AreCulledAsIfMadeAnewWhateverGroupsOccludersAreIn) {
       SceneOptions options;
       options.cover = {.width = 256, .height = 144};
       if (chance(3)) options.mask = 1 + below(7);
+      options.is_adaptive = false;
       const SceneResult& result = scene_.cull(camera, options, view);
       hidden_ += result.stats.hidden;
       std::vector<std::uint32_t> drawn;

@@ -16,7 +16,7 @@ const char* text_of(culler::Missed reason) {
       "an occluder that hides it was listed, but not chosen",
       "no listed occluder hides it alone, or it is visible between pixels",
       "its box extends beyond the coarse picture, or in front of the near plane",
-      "it would be hidden, but the frame's budget was spent",
+      "it would be hidden, but the frame saved work: its budget was spent, or lately nothing was hidden there",
       "a pixel of its box is open: a border crosses it, or no polygon covers it",
       "the polygons that cover the pixels of its box are not nearer than the box"};
   return kTexts[static_cast<std::size_t>(reason)];

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "occlude/culler/camera.h"
@@ -99,6 +100,12 @@ struct CoverWork {
   friend bool operator==(const CoverWork&, const CoverWork&) = default;
 };
 
+/// What a frame by cover did, for a frame that does the same.
+struct CoverBefore {
+  CoverWork work;
+  std::span<const std::uint32_t> idle;  ///< CullResult::idle, which must outlive the frame
+};
+
 /// The coarse picture of a frame by cover, and the budget of the frame. A frame goes from front to back and draws into the
 /// picture what it sees. Once three quarters of the budget are spent, it draws no more, and asks what is left, large
 /// subtrees first. Once all is spent, what is left is drawn unasked as far as it is in view. Nothing visible is culled,
@@ -119,13 +126,14 @@ struct CoverOptions {
   /// takes. What is culled then depends on the machine's speed.
   double ms = std::numeric_limits<double>::infinity();
   /// To repeat a frame: what it did (repeated()). The limits above do not matter then.
-  std::optional<CoverWork> as_before = {};
+  std::optional<CoverBefore> as_before = {};
 };
 
 /// How a frame is culled. Each option names the method that it is for; the other one ignores it.
 struct CullOptions {
-  /// By `automatic`, frames are by cover. Where those of a view hide less than a quarter of what is in view, later ones look
-  /// less, and so cost less, until there is more to hide. A frame without a view looks as far as one by cover.
+  /// By `automatic`, frames are by cover, and those of a view save work where it does not pay. What neither hides anything
+  /// nor is hidden is idle in the next 3 to 31 frames: it is drawn unasked. Where frames hide less than a quarter of what is
+  /// in view, later ones look less, until there is more to hide. A frame without a view looks as far as one by cover.
   Method method = Method::automatic;
   /// Cover. The coarse picture.
   CoverOptions cover = {};
@@ -243,7 +251,7 @@ struct CullStats {
   std::size_t cover_groups = 0, cover_triangles = 0;  ///< drawn into it: joined meshes, and their triangles
   std::size_t cover_groups_left = 0;                  ///< not drawn into it, because the budget was spent
   CoverWork cover_work;
-  std::size_t unasked_polygons = 0;  ///< drawn unasked, because the budget was spent; in no Scene
+  std::size_t unasked_polygons = 0;  ///< drawn unasked: the budget was spent, or they were idle; in no Scene
   /// Of shadow_tests and union_tests: decided by the exact stage. The number depends slightly on the instruction set,
   /// because the filters before that stage round differently. Neither any answer nor any other number does.
   std::size_t exact_shadow_tests = 0;
@@ -267,6 +275,7 @@ struct CullResult {
   std::vector<HalfSpace> view;      ///< as append_view_frustum() has them
   std::vector<Occluder> occluders;  ///< in the order in which they were chosen; none by cover
   std::vector<ShadowPair> pairs;    ///< none unless CullOptions::unions
+  std::vector<std::uint32_t> idle;  ///< by `automatic`: nodes that it took as idle, in the order in which it met them
   CullStats stats;
 };
 
@@ -278,13 +287,9 @@ enum class Visibility {
 };
 
 /// Options that repeat a frame by cover: with these, the same camera gives the same frame, however long it takes. `options`
-/// are those of the frame.
-[[nodiscard]] inline CoverOptions repeated(const CullStats& frame, CoverOptions options) {
-  options.as_before = frame.cover_work;
-  return options;
-}
+/// are those of the frame, which must outlive their use.
 [[nodiscard]] inline CullOptions repeated(const CullResult& frame, CullOptions options) {
-  options.cover = repeated(frame.stats, options.cover);
+  options.cover.as_before = {frame.stats.cover_work, frame.idle};
   return options;
 }
 

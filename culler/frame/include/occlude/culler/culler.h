@@ -219,7 +219,7 @@ enum class Missed {
   not_chosen,      ///< the polygon is in the shadow of an occluder of the region's list that the frame did not choose
   no_single_one,   ///< no occluder of the list hides it alone: several do, or what it shows is less than a pixel
   beyond_picture,  ///< its box reaches beyond the coarse picture or in front of the near plane
-  over_budget,     ///< it would be culled if the options set no budget; asked before all others but the first
+  left_out,        ///< it would be culled if the frame had no budget and took nothing as idle; asked second
   open_pixel,      ///< a pixel that its box touches is open: a border runs there, or nothing closes it
   not_behind       ///< all pixels that its box touches are closed, but in one of them not strictly in front of the box
 };
@@ -234,7 +234,7 @@ inline constexpr std::size_t kMissedReasons = 10;
 [[nodiscard]] constexpr std::string_view to_string(Missed reason) {
   constexpr std::array<std::string_view, kMissedReasons> kNames{
       "out_of_view",   "coarse_node",    "straddling_box", "several",    "not_chosen",
-      "no_single_one", "beyond_picture", "over_budget",    "open_pixel", "not_behind"};
+      "no_single_one", "beyond_picture", "left_out",       "open_pixel", "not_behind"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 
