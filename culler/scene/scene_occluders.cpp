@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene_occluders.h"
 
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,9 +39,9 @@ void require_placeable(const MeshOf& mesh_of, std::span<const Placement> placeme
 }
 
 /// Where it is; none if there is nothing of it.
-std::optional<Box> place_of(const OccluderMesh& mesh, const Placement& placement) {
-  if (mesh.size() == 0) return std::nullopt;
-  return legal_box(placed(placement, mesh.box()));
+SceneBox place_of(const OccluderMesh& mesh, const Placement& placement) {
+  if (mesh.size() == 0) return {};
+  return SceneBox::of(placed(placement, mesh.box()));
 }
 
 }  // namespace
@@ -50,8 +49,8 @@ std::optional<Box> place_of(const OccluderMesh& mesh, const Placement& placement
 OccluderId SceneOccluders::add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement,
                                const OccluderOptions& options) {
   require_placeable(mesh.get(), placement);
-  make_room(placed_);
-  make_room(changed_);
+  make_room(placed_, 4);
+  make_room(changed_, 4);
   const OccluderId id = boxes_.add(place_of(*mesh, placement), {.moves = options.moves, .mask = options.mask});
   if (placed_.size() <= id.slot()) placed_.resize(id.slot() + std::size_t{1});
   meshes_ += size_of(*mesh);

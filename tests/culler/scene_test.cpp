@@ -980,6 +980,9 @@ TEST(Scene, VisibilityAgreesWithWhatIsDrawn) {
   scene.add(town);
   scene.update();
   std::array<std::size_t, 3> counts{};
+  std::vector<SceneBox> kept;
+  for (const Box& box : boxes) kept.push_back(SceneBox::of(box));
+  std::size_t larger = 0;
   for (int i = 0; i < 30; ++i) {
     SceneView view;
     std::vector<bool> is_drawn(boxes.size());
@@ -987,10 +990,16 @@ TEST(Scene, VisibilityAgreesWithWhatIsDrawn) {
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       const Visibility visibility = view.visibility(boxes[k]);
       ++counts[static_cast<std::size_t>(visibility)];
-      ASSERT_EQ(visibility == Visibility::visible, is_drawn[ids[k].slot()]) << "seed " << kSeed;
+      const bool expected =
+          view.visibility(kept[k].outer) == Visibility::visible &&
+          (kept[k].edges.is_none() || view.visibility(kept[k].edges.box(kept[k].outer)) != Visibility::out_of_view);
+      ASSERT_EQ(expected, is_drawn[ids[k].slot()]) << "seed " << kSeed;
+      ASSERT_TRUE(expected || visibility != Visibility::visible) << "seed " << kSeed;
+      larger += expected && visibility != Visibility::visible;
     }
   }
   EXPECT_GT(*std::ranges::min_element(counts), 500U) << "all answers must occur";
+  EXPECT_LT(larger, 30 * boxes.size() / 1000) << "what a scene keeps is little larger than what it was given";
 }
 
 TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
@@ -1362,7 +1371,7 @@ TEST(SceneObjects, GroupsStaySmallEnoughToBeBuiltAnew) {
   SceneObjects objects(number);
   const auto add = [&](std::size_t count) {
     std::vector<ObjectId> ids;
-    while (ids.size() < count) ids.push_back(objects.add(random_box(random), {}));
+    while (ids.size() < count) ids.push_back(objects.add(SceneBox::of(random_box(random)), {}));
     objects.update({});
     return ids;
   };
@@ -1376,6 +1385,46 @@ TEST(SceneObjects, GroupsStaySmallEnoughToBeBuiltAnew) {
   for (int i = 0; i < 4; ++i) add(10);
   EXPECT_EQ(objects.seen_size(), 20040U);
   for (std::uint32_t i = 0; i < objects.groups().size(); ++i) EXPECT_LE(objects.group(i).size(), 1024U);
+}
+
+/// Scene::object_bytes() says how many.
+TEST(Scene, ObjectsTakeFewBytes) {
+  struct Way {
+    bool is_oriented, moves, is_at_once;
+  };
+  constexpr std::array<Way, 5> kWays{
+      {{true, false, true}, {true, false, false}, {true, true, false}, {false, false, true}, {false, true, true}}};
+  const auto oriented = [](std::mt19937& random) -> Box {
+    const double angle = uniform(random, 0, 6.28), c = std::cos(angle), s = std::sin(angle);
+    return Obb{random_vector(random, -500, 500), {{{c, s, 0}, {-2 * s, 2 * c, 0}, {0, 0, 1}}}};
+  };
+  for (const Way& way : kWays) {
+    for (const std::size_t count : {100U, 3000U, 20000U, 33000U, 50000U}) {
+      std::mt19937 random(kSeed);
+      std::vector<Box> boxes;
+      while (boxes.size() < count) boxes.push_back(oriented(random));
+      if (!way.is_oriented) {
+        for (Box& box : boxes) box = outer_box(box);
+      }
+      Scene scene;
+      std::vector<ObjectId> ids(count);
+      const ObjectOptions options{.moves = way.moves};
+      if (way.is_at_once) scene.add(boxes, options, ids);
+      for (std::size_t i = 0; i < count && !way.is_at_once; ++i) {
+        ids[i] = scene.add(boxes[i], options);
+        if (i % 1000 == 0) scene.update();
+      }
+      scene.update();
+      const std::size_t each = way.moves ? 240 : way.is_oriented ? 122 : 110;
+      const std::size_t most = each * count + 180000;
+      EXPECT_LE(scene.object_bytes(), most) << count << (way.is_oriented ? " oriented" : "") << (way.moves ? " moving" : "");
+      for (int i = 0; i < 3; ++i) {
+        scene.move(ids, boxes);
+        scene.update();
+      }
+      EXPECT_LE(scene.object_bytes(), way.is_at_once ? most : most * 3 / 2) << count << ", moved";
+    }
+  }
 }
 
 TEST(Scene, MemoryDoesNotGrowWithWhatHasGone) {

@@ -151,7 +151,8 @@ struct ObjectFate {
 /// The proof of a cull.
 struct ObjectWitness {
   ObjectId object;
-  /// All of it is hidden, or out of view. Holds the box of the object: it is that box, or the axis-aligned one around it.
+  /// All of it is hidden, or out of view. Holds the box of the object: it is the one that the scene keeps, or the
+  /// axis-aligned one around it.
   Box box;
   ObjectFate fate;  ///< hidden or out_of_view
 };
@@ -222,8 +223,9 @@ struct OccluderOptions {
 /// **Changes** show at the next update(); until then views see the scene as it was.
 ///
 /// **Boxes** may have any numbers but NaN. A box that reaches beyond 2^100 has no place, and its object is always drawn.
-/// Numbers nearer to zero than 2^-100 are rounded so that the box becomes no smaller. An oriented box with such a number, as
-/// rotations leave them, becomes the axis-aligned box around it.
+/// Numbers nearer to zero than 2^-100 are rounded so that the box becomes no smaller. Of an oriented box the scene keeps one
+/// that holds it, exactly, and is wider by a few 500ths of the axis-aligned box around both. Boxes of usual shape become
+/// half a hundredth wider; what is thinner than that, such as a wall, has its thickness from these 500ths.
 ///
 /// **Threads.** Const calls may run on several threads at once, each with a view of its own. Changes may be made while
 /// others cull, one change at a time; but move() of different objects that have ObjectOptions::moves may run on several
@@ -326,7 +328,9 @@ class Scene {
   /// Objects and occluders that are in the scene, disabled ones included.
   [[nodiscard]] std::size_t objects() const;
   [[nodiscard]] std::size_t occluders() const;
-  /// Bytes of memory that the scene holds for objects, without its occluders.
+  /// Bytes of memory that the scene holds for objects, without its occluders. Beside 180 kB for all, an object
+  /// takes at most 122 bytes if it stands still, and 240 if it moves, whether its box is axis-aligned or oriented. Room of
+  /// what is gone waits for what comes; where tiles of many sizes come and go, it may be half as much again.
   [[nodiscard]] std::size_t object_bytes() const;
 
  private:
