@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "camera/view_planes.h"
 #include "cover/cover_buffer.h"
 #include "occlude/culler/scene.h"
+#include "occlude/kernel/half_space.h"
 #include "scene/thing_group.h"
 
 namespace occlude::culler {
@@ -34,7 +36,12 @@ class ObjectListing {
     (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
   }
 
-  [[nodiscard]] bool is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const;
+  template <class AnyBox>
+  [[nodiscard]] bool is_beyond(std::uint32_t plane, const AnyBox& box) const {
+    return kernel::relation(view_.planes[plane], box, view_.arithmetic) == kernel::Relation::outside;
+  }
+  /// The one of the boxes that hold an object that is beyond the plane, if any.
+  [[nodiscard]] std::optional<Box> beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const;
   /// As DrawnObject::size.
   [[nodiscard]] float size_of(const kernel::Aabb& box) const;
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -120,11 +121,11 @@ class ThingGroup {
     hwy::Prefetch(&masks_[first]);
     hwy::Prefetch(&ids_[first]);
   }
+  /// Holds thing i, as oriented(i) does.
   [[nodiscard]] kernel::Aabb outer(std::uint32_t i) const { return tree_.item(i); }
-  /// Calls question(box) with the box of thing i, which may be oriented.
-  template <class Question>
-  decltype(auto) ask(std::uint32_t i, const Question& question) const {
-    return is_oriented(i) ? question(edges_[i].box(outer(i))) : question(outer(i));
+  [[nodiscard]] std::optional<kernel::Obb> oriented(std::uint32_t i) const {
+    if (!is_oriented(i)) return std::nullopt;
+    return edges_[i].box(outer(i));
   }
   /// Whether every thing is in all layers.
   [[nodiscard]] bool is_in_all_layers() const { return is_in_all_layers_; }
