@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "model/outer_box.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace occlude::culler {
 namespace {
 
 /// A double that is not below the exact number that `x` was rounded from. x is the double nearest to that number, so the
-/// number is less than the next double up. Nothing overflows, because the numbers of a box are at most 2^100.
-double up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+/// number is less than the next double up. Nothing overflows, because the numbers of a box are at most 2^100. This is a call
+/// less than std::nextafter().
+double up(double x) {
+  if (x == 0) return std::numeric_limits<double>::denorm_min();
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  return std::bit_cast<double>(x > 0 ? bits + 1 : bits - 1);
+}
 double down(double x) { return -up(-x); }
 
 /// The largest number in the kernel's legal range, or 0, that is not above x. REQUIRES: x is not beyond the range.

@@ -5,7 +5,6 @@
 
 #include "cover/cover_descent.h"
 #include "cover/projected_boxes.h"
-#include "occlude/kernel/half_space.h"
 
 namespace occlude::culler {
 
@@ -29,7 +28,7 @@ class ObjectListing::Objects : public StandingNodes {
     const kernel::BoxBytes straddled = asked & kernel::for_all(oriented_) & ~(relations.outside | relations.inside);
     for (kernel::BoxBytes left = straddled; left != 0; left &= left - 1) {
       const auto place = static_cast<std::uint32_t>(std::countr_zero(left));
-      const bool is_beyond = listing_.is_beyond(place / 8, group_, block.begin[0] + place % 8);
+      const bool is_beyond = listing_.is_beyond(place / 8, *group_.oriented(block.begin[0] + place % 8));
       relations.outside |= kernel::BoxBytes{is_beyond} << place;
     }
     return relations;
@@ -77,10 +76,10 @@ void ObjectListing::list(const ObjectGroup& group, std::uint32_t straddled_plane
   CoverDescent(group.tree().tree(), hiding_, stats_.work, objects).run(straddled_planes);
 }
 
-bool ObjectListing::is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {
-  return group.ask(object, [&](const auto& box) {
-    return kernel::relation(view_.planes[plane], box, view_.arithmetic) == kernel::Relation::outside;
-  });
+std::optional<Box> ObjectListing::beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {
+  if (const kernel::Aabb outer = group.outer(object); is_beyond(plane, outer)) return outer;
+  if (const auto oriented = group.oriented(object); oriented && is_beyond(plane, *oriented)) return *oriented;
+  return std::nullopt;
 }
 
 ProjectedBoxes ObjectListing::seen(const kernel::Aabb& box) const {

@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "camera/view_planes.h"
 #include "cover/cover_buffer.h"
 #include "cover/hiding_meshes.h"
 #include "occlude/culler/scene.h"
+#include "occlude/kernel/half_space.h"
 #include "scene/thing_group.h"
 
 namespace occlude::culler {
@@ -37,7 +39,12 @@ class ObjectListing {
     if (told_ != nullptr && by == Culled::By::cover) told_->hide(hiding_.footprint(box).pixels);
   }
 
-  [[nodiscard]] bool is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const;
+  template <class AnyBox>
+  [[nodiscard]] bool is_beyond(std::uint32_t plane, const AnyBox& box) const {
+    return kernel::relation(view_.planes[plane], box, view_.arithmetic) == kernel::Relation::outside;
+  }
+  /// The one of the boxes that hold an object that is beyond the plane, if any.
+  [[nodiscard]] std::optional<Box> beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const;
   /// As DrawnObject::size.
   [[nodiscard]] float size_of(const kernel::Aabb& box) const;
 

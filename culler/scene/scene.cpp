@@ -166,10 +166,10 @@ Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
-ObjectId Scene::add(const Box& box, const ObjectOptions& options) { return parts_->objects.add(legal_box(box), options); }
+ObjectId Scene::add(const Box& box, const ObjectOptions& options) { return parts_->objects.add(SceneBox::of(box), options); }
 void Scene::add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids) {
   require_legal(boxes);
-  for (std::size_t i = 0; i < boxes.size(); ++i) ids[i] = parts_->objects.add(legal_box(boxes[i]), options);
+  for (std::size_t i = 0; i < boxes.size(); ++i) ids[i] = parts_->objects.add(SceneBox::of(boxes[i]), options);
 }
 void Scene::remove(ObjectId object) {
   parts_->objects.remove(object);
@@ -179,11 +179,11 @@ void Scene::remove(std::span<const ObjectId> objects) {
   parts_->objects.remove(objects);
   for (const ObjectId object : objects) parts_->remove(object);
 }
-void Scene::move(ObjectId object, const Box& box) { parts_->objects.move(object, legal_box(box)); }
+void Scene::move(ObjectId object, const Box& box) { parts_->objects.move(object, SceneBox::of(box)); }
 void Scene::move(std::span<const ObjectId> objects, std::span<const Box> boxes) {
   parts_->objects.require(objects);
   require_legal(boxes);
-  for (std::size_t i = 0; i < objects.size(); ++i) parts_->objects.move(objects[i], legal_box(boxes[i]));
+  for (std::size_t i = 0; i < objects.size(); ++i) parts_->objects.move(objects[i], SceneBox::of(boxes[i]));
 }
 void Scene::set_enabled(ObjectId object, bool is_enabled) {
   parts_->objects.set_enabled(object, is_enabled);

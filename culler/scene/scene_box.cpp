@@ -42,17 +42,16 @@ bool is_beyond(const kernel::Vec3& v) {
   return false;
 }
 
-std::optional<Box> legal(const kernel::Aabb& box) {
-  if (is_beyond(box.min) || is_beyond(box.max)) return std::nullopt;
-  return outer_box(box);
+SceneBox kept(const kernel::Aabb& box) {
+  if (is_beyond(box.min) || is_beyond(box.max)) return {};
+  return {outer_box(box), {}};
 }
 
-std::optional<Box> legal(const kernel::Obb& box) {
-  if (is_beyond(box.center) || std::ranges::any_of(box.half_edges, is_beyond)) return std::nullopt;
+SceneBox kept(const kernel::Obb& box) {
+  if (is_beyond(box.center) || std::ranges::any_of(box.half_edges, is_beyond)) return {};
   const kernel::Aabb outer = outer_box(box);
-  if (is_beyond(outer.min) || is_beyond(outer.max)) return std::nullopt;
-  if (kernel::check(box) != kernel::Refusal::none) return outer;  // a number too near to zero
-  return box;
+  if (is_beyond(outer.min) || is_beyond(outer.max)) return {};
+  return {outer, {box, outer}};
 }
 
 double length(const kernel::Vec3& v) { return std::hypot(v.x, v.y, v.z); }
@@ -109,9 +108,9 @@ std::string_view fault(const Box& box) {
   return std::visit([](const auto& b) { return fault_of(b); }, box);
 }
 
-std::optional<Box> legal_box(const Box& box) {
+SceneBox SceneBox::of(const Box& box) {
   if (const std::string_view reason = fault(box); !reason.empty()) throw std::invalid_argument(std::string(reason));
-  return std::visit([](const auto& b) { return legal(b); }, box);
+  return std::visit([](const auto& b) { return kept(b); }, box);
 }
 
 }  // namespace occlude::culler

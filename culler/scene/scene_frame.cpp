@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "cover/cover_descent.h"
@@ -93,11 +94,15 @@ class SceneFrame {
     if ((object->mask & options_.mask) == 0) return {Reason::in_no_layer};
     if (object->group == nullptr) return {Reason::always_drawn};
     for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane) {
-      if (asking_.is_beyond(plane, *object->group, object->index)) return {Reason::out_of_view, plane};
+      if (beyond(plane, *object->group, object->index)) return {Reason::out_of_view, plane};
     }
     const kernel::Aabb& box = object->group->outer(object->index);
     if (buffer_.hides(box)) return {Reason::hidden};
     return {asking_.size_of(box) < options_.least_size ? Reason::too_small : Reason::drawn};
+  }
+
+  [[nodiscard]] std::optional<Box> beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {
+    return asking_.beyond(plane, group, object);
   }
 
  private:
@@ -276,6 +281,10 @@ class FrameAgain {
     append_hiding(object->group->outer(object->index), fate.by);
     return fate;
   }
+  /// The box of an object that is beyond the plane.
+  [[nodiscard]] std::optional<Box> beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {
+    return frame_.beyond(plane, group, object);
+  }
 
  private:
   [[nodiscard]] static SceneView::Memory begun(const FrameView& view, const CoverOptions& options) {
@@ -297,10 +306,12 @@ class FrameAgain {
     for (const auto& [source, p] : polygons) {
       const SceneOccluders::Standing& occluder = *drawn_occluders_[source];
       const Hierarchy& tree = *prepared_of(*occluder.mesh).tree;
-      ObjectFate::Hiding hiding{occluder.id, tree.original(p), {}};
+      const WeldedMesh::Polygon polygon = occluder.polygon(tree.original(p));
+      ObjectFate::Hiding hiding{polygon.part, polygon.number, {}};
       for (const std::uint32_t v : tree.soup().loop(p)) {
         hiding.corners.push_back(placed(occluder.placement, to_kernel(tree.soup().vertices[v])));
       }
+      if (polygon.is_turned) std::reverse(hiding.corners.begin() + 1, hiding.corners.end());
       by.push_back(std::move(hiding));
     }
   }
@@ -373,7 +384,7 @@ void append_witnesses_of(const SceneObjects& objects, const SceneOccluders& occl
       if (fate.reason == Reason::hidden) {
         witnesses.push_back({group.id(i), group.outer(i), std::move(fate)});
       } else if (fate.reason == Reason::out_of_view) {
-        witnesses.push_back({group.id(i), group.ask(i, [](const auto& box) { return Box(box); }), std::move(fate)});
+        witnesses.push_back({group.id(i), *frame.beyond(fate.plane, group, i), std::move(fate)});
       }
     }
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene_occluders.h"
 
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,9 +39,9 @@ void require_placeable(const MeshOf& mesh_of, std::span<const Placement> placeme
 }
 
 /// Where it is; none if there is nothing of it.
-std::optional<Box> place_of(const OccluderMesh& mesh, const Placement& placement) {
-  if (mesh.size() == 0) return std::nullopt;
-  return legal_box(placed(placement, mesh.box()));
+SceneBox place_of(const OccluderMesh& mesh, const Placement& placement) {
+  if (mesh.size() == 0) return {};
+  return SceneBox::of(placed(placement, mesh.box()));
 }
 
 }  // namespace
@@ -50,12 +49,18 @@ std::optional<Box> place_of(const OccluderMesh& mesh, const Placement& placement
 OccluderId SceneOccluders::add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement,
                                const OccluderOptions& options) {
   require_placeable(mesh.get(), placement);
-  make_room(placed_);
-  make_room(changed_);
-  const OccluderId id = boxes_.add(place_of(*mesh, placement), {.moves = options.moves, .mask = options.mask});
+  make_room(placed_, 4);
+  make_room(changed_, 4);
+  const SceneBox box = options.weld != 0 ? SceneBox() : place_of(*mesh, placement);
+  const OccluderId id = boxes_.add(box, {.moves = options.moves, .mask = options.mask});
   if (placed_.size() <= id.slot()) placed_.resize(id.slot() + std::size_t{1});
-  meshes_ += size_of(*mesh);
-  placed_[id.slot()] = {id, std::move(mesh), placement, options.object, options.moves, options.is_one_sided};
+  Placed& occluder = placed_[id.slot()];
+  occluder = {id, std::move(mesh), placement, options};
+  if (is_welded(occluder)) {
+    join_weld(occluder);
+  } else {
+    meshes_ += size_of(*occluder.mesh);
+  }
   changed(id);
   return id;
 }
@@ -68,6 +73,7 @@ void SceneOccluders::add(const std::shared_ptr<const OccluderMesh>& mesh, std::s
 
 void SceneOccluders::remove(OccluderId id) {
   Placed& occluder = placed_of(id);
+  leave_weld(occluder);
   retire(occluder);
   lost(occluder);
   boxes_.remove(id);
@@ -84,8 +90,8 @@ void SceneOccluders::remove(std::span<const OccluderId> ids) {
 void SceneOccluders::move(OccluderId id, const Placement& placement) {
   Placed& occluder = placed_of(id);
   require_placeable(occluder.mesh.get(), placement);
-  boxes_.move(id, place_of(*occluder.mesh, placement));
   occluder.placement = placement;
+  stand_again(occluder);
   changed(id);
   lost(occluder);
 }
@@ -99,22 +105,30 @@ void SceneOccluders::move(std::span<const OccluderId> ids, std::span<const Place
 void SceneOccluders::replace(OccluderId id, std::shared_ptr<const OccluderMesh> mesh) {
   Placed& occluder = placed_of(id);
   require_placeable(mesh.get(), occluder.placement);
-  boxes_.move(id, place_of(*mesh, occluder.placement));
   retire(occluder);
-  meshes_ += size_of(*mesh);
   occluder.mesh = std::move(mesh);
+  if (!is_welded(occluder)) meshes_ += size_of(*occluder.mesh);
+  stand_again(occluder);
   changed(id);
   lost(occluder);
 }
 
 void SceneOccluders::set_enabled(OccluderId id, bool is_enabled) {
   boxes_.set_enabled(id, is_enabled);
-  lost(placed_of(id));
+  change_layers(placed_of(id), [&](Placed& occluder) { occluder.is_enabled = is_enabled; });
 }
 
 void SceneOccluders::set_mask(OccluderId id, std::uint32_t mask) {
   boxes_.set_mask(id, mask);
-  lost(placed_of(id));
+  change_layers(placed_of(id), [&](Placed& occluder) { occluder.options.mask = mask; });
+}
+
+template <class Change>
+void SceneOccluders::change_layers(Placed& occluder, const Change& change) {
+  leave_weld(occluder);
+  change(occluder);
+  join_weld(occluder);
+  lost(occluder);
 }
 
 SceneOccluders::Placed& SceneOccluders::placed_of(OccluderId id) {
@@ -124,25 +138,95 @@ SceneOccluders::Placed& SceneOccluders::placed_of(OccluderId id) {
 
 /// Takes its mesh away.
 void SceneOccluders::retire(Placed& occluder) {
-  meshes_ -= size_of(*occluder.mesh);
+  if (!is_welded(occluder)) meshes_ -= size_of(*occluder.mesh);
   retired_.push_back(std::move(occluder.mesh));
 }
 
+/// Its mesh or its placement is another one.
+void SceneOccluders::stand_again(const Placed& occluder) {
+  if (!is_welded(occluder)) {
+    boxes_.move(occluder.id, place_of(*occluder.mesh, occluder.placement));
+  } else if (occluder.is_enabled) {
+    changed_welds_.insert(key_of(occluder));
+  }
+}
+
+SceneOccluders::WeldKey SceneOccluders::key_of(const Placed& occluder) {
+  const OccluderOptions& options = occluder.options;
+  return {options.weld, options.mask, options.object, options.moves, options.is_one_sided};
+}
+
+void SceneOccluders::join_weld(const Placed& occluder) {
+  if (!is_welded(occluder) || !occluder.is_enabled) return;
+  const WeldKey key = key_of(occluder);
+  welds_[key].members.insert(occluder.id.slot());
+  changed_welds_.insert(key);
+}
+
+void SceneOccluders::leave_weld(const Placed& occluder) {
+  if (!is_welded(occluder) || !occluder.is_enabled) return;
+  const WeldKey key = key_of(occluder);
+  welds_[key].members.erase(occluder.id.slot());
+  changed_welds_.insert(key);
+}
+
+/// Makes the meshes of welds that have changed. First all of these leave their places, because one that stood for a weld may
+/// now stand for another.
+void SceneOccluders::weld_again(const Executor& executor) {
+  for (const WeldKey& key : changed_welds_) {
+    Weld& weld = welds_[key];
+    if (weld.mesh) meshes_ -= size_of(weld.mesh->mesh());
+    if (boxes_.contains(weld.stands)) boxes_.move(weld.stands, {});
+    weld.mesh.reset();
+    weld.stands = {};
+  }
+  for (const WeldKey& key : changed_welds_) {
+    Weld& weld = welds_[key];
+    if (weld.members.empty()) {
+      welds_.erase(key);
+      continue;
+    }
+    std::vector<WeldedPart> parts;
+    for (const std::uint32_t slot : weld.members) {
+      const Placed& occluder = placed_[slot];
+      parts.push_back({occluder.id, occluder.mesh.get(), &occluder.placement});
+    }
+    weld.mesh = std::make_unique<WeldedMesh>(parts, executor);
+    weld.stands = parts.front().id;
+    const OccluderMesh& mesh = weld.mesh->mesh();
+    meshes_ += size_of(mesh);
+    boxes_.move(weld.stands, place_of(mesh, {}));
+    changed(weld.stands);
+  }
+  changed_welds_.clear();
+}
+
+SceneOccluders::Standing SceneOccluders::standing_of(const Placed& occluder) const {
+  Standing standing{occluder.id, occluder.mesh.get(), occluder.placement, occluder.options.object,
+                    occluder.options.is_one_sided};
+  if (is_welded(occluder) && occluder.is_enabled) {
+    const Weld& weld = welds_.at(key_of(occluder));
+    if (weld.stands == occluder.id) {
+      standing.welded = weld.mesh.get();
+      standing.mesh = &weld.mesh->mesh();
+      standing.placement = {};
+    }
+  }
+  standing.is_identity = standing.placement == Placement{};
+  standing.is_mirrored = is_mirrored(standing.placement);
+  standing.edition = edition_;
+  return standing;
+}
+
 bool SceneOccluders::update(const Executor& executor) {
+  weld_again(executor);
   boxes_.update(executor);
   standing_.resize(placed_.size());
   if (!changed_.empty()) ++edition_;
   for (const std::uint32_t slot : changed_) {
     const Placed& occluder = placed_[slot];
     if (occluder.id.is_none()) continue;  // it was removed again
-    standing_[slot] = {occluder.id,
-                       occluder.mesh.get(),
-                       occluder.placement,
-                       occluder.object,
-                       occluder.is_one_sided,
-                       occluder.placement == Placement{},
-                       is_mirrored(occluder.placement),
-                       edition_};
+    standing_[slot] = standing_of(occluder);
   }
   changed_.clear();
   retired_.clear();

@@ -2,9 +2,12 @@
 // The occluders of a scene: what the caller changes, and what views see of it since the last update.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,11 +18,12 @@
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/scene.h"
 #include "scene/scene_things.h"
+#include "scene/welded_mesh.h"
 
 namespace occlude::culler {
 
 /// The boxes of occluders are kept as those of objects are; what stands in them is kept by slots. As with SceneThings,
-/// changes touch only what no view sees.
+/// changes touch only what no view sees. Of the occluders of a weld one stands where all of them are, with a mesh of all.
 class SceneOccluders {
  public:
   explicit SceneOccluders(SceneNumber& scene) : boxes_(scene) {}
@@ -51,6 +55,13 @@ class SceneOccluders {
     ObjectId object;
     bool is_one_sided = false, is_identity = true, is_mirrored = false;
     std::uint64_t edition = 0;  ///< since which it is so
+    const WeldedMesh* welded = nullptr;  ///< of which it has the mesh, if it stands for a weld
+
+    /// The occluder that has a polygon, and its number in the soup of that one's mesh. `number` is that in the soup of
+    /// `mesh`.
+    [[nodiscard]] WeldedMesh::Polygon polygon(std::uint32_t number) const {
+      return welded == nullptr ? WeldedMesh::Polygon{id, number} : welded->polygon(number);
+    }
   };
   /// REQUIRES: it is in a group of boxes().
   [[nodiscard]] const Standing& standing(OccluderId id) const { return standing_[id.slot()]; }
@@ -67,15 +78,39 @@ class SceneOccluders {
     OccluderId id;
     std::shared_ptr<const OccluderMesh> mesh;
     Placement placement;
+    OccluderOptions options;
+    bool is_enabled = true;
+  };
+
+  /// Occluders are welded that have the same options.
+  struct WeldKey {
+    std::uint32_t weld, mask;
     ObjectId object;
-    bool moves = false, is_one_sided = false;
+    bool moves, is_one_sided;
+
+    friend auto operator<=>(const WeldKey&, const WeldKey&) = default;
+  };
+  struct Weld {
+    std::set<std::uint32_t> members;         ///< slots of those that are enabled
+    std::unique_ptr<const WeldedMesh> mesh;  ///< as views see it
+    OccluderId stands;                       ///< the member in whose place the mesh is; the others have no place
   };
 
   [[nodiscard]] Placed& placed_of(OccluderId id);
   void changed(OccluderId id) { changed_.push_back(id.slot()); }
   /// It may hide less than before.
-  void lost(const Placed& occluder) { has_lost_ = has_lost_ || !occluder.moves; }
+  void lost(const Placed& occluder) { has_lost_ = has_lost_ || !occluder.options.moves; }
   void retire(Placed& occluder);
+  template <class Change>
+  void change_layers(Placed& occluder, const Change& change);
+  void stand_again(const Placed& occluder);
+
+  [[nodiscard]] static bool is_welded(const Placed& occluder) { return occluder.options.weld != 0; }
+  [[nodiscard]] static WeldKey key_of(const Placed& occluder);
+  void join_weld(const Placed& occluder);
+  void leave_weld(const Placed& occluder);
+  void weld_again(const Executor& executor);
+  [[nodiscard]] Standing standing_of(const Placed& occluder) const;
 
   // Of the caller.
   SceneThings<SceneKind::occluder> boxes_;
@@ -84,6 +119,8 @@ class SceneOccluders {
   std::vector<std::shared_ptr<const OccluderMesh>> retired_;  ///< which views may still see
   MeshSize meshes_;
   bool has_lost_ = false;
+  std::map<WeldKey, Weld> welds_;
+  std::set<WeldKey> changed_welds_;
 
   // Of the views.
   std::vector<Standing> standing_;  ///< by slots

@@ -5,7 +5,6 @@
 
 #include "base/parallel.h"
 #include "model/bounds.h"
-#include "model/outer_box.h"
 #include "occlude/culler/scene.h"
 
 namespace occlude::culler {
@@ -20,18 +19,9 @@ constexpr std::size_t kSmall = 64, kMostSmall = kMost / kSmall;
 /// A group of which more than half has been removed is built anew, but only so many in an update. The others wait.
 constexpr std::size_t kMostTidied = 4;
 
-/// Memory of this many arrivals is kept for later ones.
-constexpr std::size_t kKept = 16 * kMost;
-
 template <class T>
 std::size_t bytes_of(const std::vector<T>& v) {
   return v.capacity() * sizeof(T);
-}
-
-template <class T>
-void forget(std::vector<T>& v) {
-  v.clear();
-  if (v.capacity() > kKept) v.shrink_to_fit();
 }
 
 }  // namespace
@@ -40,15 +30,13 @@ template <SceneKind kOf>
 SceneThings<kOf>::SceneThings(SceneNumber& scene) : known_(scene), groups_(1) {}
 
 template <SceneKind kOf>
-typename SceneThings<kOf>::Id SceneThings<kOf>::add(const Place& place, const ObjectOptions& options) {
-  std::vector<Change>& changes = options.moves ? moving_ : arrivals_;
-  make_room(changes);
-  const Known thing{.mask = options.mask,
-                    .next = static_cast<std::uint32_t>(changes.size()),
-                    .moves = options.moves,
-                    .is_always_drawn = options.is_always_drawn};
+typename SceneThings<kOf>::Id SceneThings<kOf>::add(const SceneBox& box, const ObjectOptions& options) {
+  ThingList<kOf>& list = options.moves ? moving_ : arrivals_;
+  list.make_room();
+  Known thing{.mask = options.mask, .moves = options.moves, .is_always_drawn = options.is_always_drawn};
+  thing.set_next(list.size());
   const Id id = known_.add(thing);
-  changes.push_back({{id, thing.mask, place.value_or(Box{})}, !place || thing.is_always_drawn});
+  list.push_back(thing.is_always_drawn ? empty_box() : box.outer, {id, thing.mask, box.edges});
   changed(thing);
   return id;
 }
@@ -69,11 +57,11 @@ void SceneThings<kOf>::remove(Id id) {
   changed(thing);
   if (thing.moves) {
     // The last one takes its place.
-    moving_[thing.next] = moving_.back();
-    known_.at(moving_[thing.next].thing.id.slot()).next = thing.next;
-    moving_.pop_back();
-  } else if (thing.next != kNone) {
-    arrivals_[thing.next].thing.id = {};
+    moving_.copy(moving_.size() - 1, thing.next);
+    known_.at(moving_.things[thing.next].id.slot()).next = thing.next;
+    moving_.resize(moving_.size() - 1);
+  } else if (thing.next != Known::kNowhere) {
+    arrivals_.things[thing.next].id = {};
   }
   known_.remove(id);
 }
@@ -87,15 +75,15 @@ void SceneThings<kOf>::remove(std::span<const Id> ids) {
 }
 
 template <SceneKind kOf>
-void SceneThings<kOf>::move(Id id, const Place& place) {
+void SceneThings<kOf>::move(Id id, const SceneBox& box) {
   Known& thing = known_[id];
-  if (!thing.moves && thing.next == kNone) {
-    arrivals_.push_back({{id, seen_mask(thing), {}}, false});
-    thing.next = static_cast<std::uint32_t>(arrivals_.size() - 1);
+  if (!thing.moves && thing.next == Known::kNowhere) {
+    arrivals_.push_back({}, {id, seen_mask(thing), {}});
+    thing.set_next(arrivals_.size() - 1);
   }
-  Change& change = (thing.moves ? moving_ : arrivals_)[thing.next];
-  change.thing.box = place.value_or(Box{});
-  change.is_unplaced = !place || thing.is_always_drawn;
+  ThingList<kOf>& list = list_of(thing);
+  list.boxes[thing.next] = thing.is_always_drawn ? empty_box() : box.outer;
+  list.things[thing.next].edges = box.edges;
   changed(thing);
 }
 
@@ -115,12 +103,13 @@ void SceneThings<kOf>::set_layers(Id id, std::uint32_t mask, bool is_enabled) {
   Known& thing = known_[id];
   thing.mask = mask;
   thing.is_enabled = is_enabled;
-  if (thing.next != kNone) (thing.moves ? moving_ : arrivals_)[thing.next].thing.mask = seen_mask(thing);
+  if (thing.next != Known::kNowhere) list_of(thing).things[thing.next].mask = seen_mask(thing);
 }
 
 template <SceneKind kOf>
 void SceneThings<kOf>::update(const Executor& executor) {
   if (!has_changed_ && !has_moved_ && remasked_.empty()) return;
+  places_.reserve(known_.capacity());
   places_.resize(known_.slots());
   remove_departed();
   mask_again();
@@ -131,8 +120,9 @@ void SceneThings<kOf>::update(const Executor& executor) {
 template <SceneKind kOf>
 void SceneThings<kOf>::place_again(const Executor& executor) {
   if (has_moved_) place_moving();
-  place_arrivals(executor);
+  take_arrivals();
   tidy_loose();
+  place_arrivals(executor);
   if (small_groups_.size() >= kMostSmall) join_small();
   build_top();
   has_changed_ = false;
@@ -166,12 +156,13 @@ template <SceneKind kOf>
 void SceneThings<kOf>::mask_again() {
   for (const std::uint32_t slot : remasked_) {
     const Found& at = places_[slot];
+    if (at.group == kNone) continue;
     const std::uint32_t mask = seen_mask(known_.at(slot));
     if (at.group == kUnplaced) {
       unplaced_[at.index].mask = mask;
     } else if (at.group == kMovingUnplaced) {
       moving_unplaced_[at.index].mask = mask;
-    } else if (at.group < kMovingUnplaced) {
+    } else {
       groups_[at.group].set_mask(at.index, mask);
     }
   }
@@ -180,53 +171,69 @@ void SceneThings<kOf>::mask_again() {
 
 template <SceneKind kOf>
 void SceneThings<kOf>::place_moving() {
+  const std::size_t placed = placed_of_moving();
   moving_unplaced_.clear();
-  batch_.clear();
-  for (const Change& change : moving_) {
-    if (change.is_unplaced) {
-      const auto index = static_cast<std::uint32_t>(moving_unplaced_.size());
-      places_[change.thing.id.slot()] = {change.thing.id.generation(), kMovingUnplaced, index};
-      moving_unplaced_.push_back({change.thing.id, change.thing.mask});
-    } else {
-      batch_.push_back(change.thing);
-    }
+  for (const Thing& thing : std::span(moving_.things).subspan(placed)) {
+    places_[thing.id.slot()] = {kMovingUnplaced, static_cast<std::uint32_t>(moving_unplaced_.size())};
+    moving_unplaced_.push_back({thing.id, thing.mask});
   }
   Group& group = groups_[kMoving];
-  group.assign(batch_, false, builder_);
-  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot()] = {group.id(i).generation(), kMoving, i};
+  group.assign(std::span(moving_.boxes).first(placed), std::span(moving_.things).first(placed), false, builder_);
+  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot()] = {kMoving, i};
 }
 
-/// Puts what was added or moved into groups of things that are near each other.
+/// Puts the things of moving_ that have a place before the others. Returns how many they are.
+template <SceneKind kOf>
+std::size_t SceneThings<kOf>::placed_of_moving() {
+  std::uint32_t placed = 0;
+  for (std::uint32_t i = 0; i < moving_.size(); ++i) {
+    if (!is_some(moving_.boxes[i])) continue;
+    if (i != placed) {
+      moving_.swap(i, placed);
+      known_.at(moving_.things[i].id.slot()).set_next(i);
+      known_.at(moving_.things[placed].id.slot()).set_next(placed);
+    }
+    ++placed;
+  }
+  return placed;
+}
+
+/// Takes what was added or moved out of its old place. What has a new place is left in arrivals_.
+template <SceneKind kOf>
+void SceneThings<kOf>::take_arrivals() {
+  std::size_t placed = 0;
+  for (std::size_t i = 0; i < arrivals_.size(); ++i) {
+    const Thing& thing = arrivals_.things[i];
+    if (thing.id.is_none()) continue;
+    known_.at(thing.id.slot()).next = Known::kNowhere;
+    remove_from_place(thing.id.slot());
+    if (is_some(arrivals_.boxes[i])) {
+      arrivals_.copy(i, placed++);
+    } else {
+      places_[thing.id.slot()] = {kUnplaced, static_cast<std::uint32_t>(unplaced_.size())};
+      unplaced_.push_back({thing.id, thing.mask});
+    }
+  }
+  arrivals_.resize(placed);
+}
+
+/// Puts what has arrived into groups of things that are near each other.
 template <SceneKind kOf>
 void SceneThings<kOf>::place_arrivals(const Executor& executor) {
-  batch_.clear();
-  for (const auto& [thing, is_unplaced] : arrivals_) {
-    if (thing.id.is_none()) continue;
-    known_.at(thing.id.slot()).next = kNone;
-    remove_from_place(thing.id.slot());
-    if (!is_unplaced) {
-      batch_.push_back(thing);
-      continue;
-    }
-    places_[thing.id.slot()] = {thing.id.generation(), kUnplaced, static_cast<std::uint32_t>(unplaced_.size())};
-    unplaced_.push_back({thing.id, thing.mask});
-  }
-  forget(arrivals_);
-  if (batch_.size() <= kMost) {
-    place_group(batch_);
+  if (arrivals_.size() <= kMost) {
+    place_group(arrivals_);
+    arrivals_.resize(0);
   } else {
     place_large_batch(executor);
+    arrivals_ = {};
   }
-  forget(batch_);
 }
 
-/// Divides the batch into groups of things that are near each other. They are built in parts, by the executor.
+/// Divides what has arrived into groups of things that are near each other. They are built in parts, by the executor.
 template <SceneKind kOf>
 void SceneThings<kOf>::place_large_batch(const Executor& executor) {
-  std::vector<kernel::Aabb> boxes;
-  for (const Thing& thing : batch_) boxes.push_back(outer_box(thing.box));
   CurveOrder curve;
-  curve.sort(boxes);
+  curve.sort(arrivals_.boxes);
   struct Chunk {
     std::span<const std::uint32_t> things;
     std::uint32_t group;
@@ -238,11 +245,11 @@ void SceneThings<kOf>::place_large_batch(const Executor& executor) {
   const std::size_t parts = executor.threads(), length = (work.size() + parts - 1) / parts;
   const auto build_part = [&](std::size_t part) {
     GroupBuilder builder;
-    std::vector<Thing> things;
+    ThingList<kOf> of_group;
     for (std::size_t i = part * length; i < std::min((part + 1) * length, work.size()); ++i) {
-      things.clear();
-      for (const std::uint32_t k : work[i].things) things.push_back(batch_[k]);
-      groups_[work[i].group].assign(things, true, builder);
+      of_group.resize(0);
+      for (const std::uint32_t k : work[i].things) of_group.push_back(arrivals_.boxes[k], arrivals_.things[k]);
+      groups_[work[i].group].assign(of_group.boxes, of_group.things, true, builder);
     }
   };
   parallel_for(parts, build_part, Checkpoint(executor));
@@ -250,17 +257,17 @@ void SceneThings<kOf>::place_large_batch(const Executor& executor) {
 }
 
 template <SceneKind kOf>
-void SceneThings<kOf>::place_group(std::span<const Thing> things) {
-  if (things.empty()) return;
+void SceneThings<kOf>::place_group(const ThingList<kOf>& things) {
+  if (things.size() == 0) return;
   const std::uint32_t number = free_group(things.size());
-  groups_[number].assign(things, true, builder_);
+  groups_[number].assign(things.boxes, things.things, true, builder_);
   note_places(number);
 }
 
 template <SceneKind kOf>
 void SceneThings<kOf>::note_places(std::uint32_t number) {
   const Group& group = groups_[number];
-  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot()] = {group.id(i).generation(), number, i};
+  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot()] = {number, i};
   if (group.size() < kSmall) small_groups_.push_back(number);
 }
 
@@ -273,6 +280,7 @@ std::uint32_t SceneThings<kOf>::free_group(std::size_t things) {
   };
   const auto best = std::ranges::min_element(free_groups_, {}, room);
   if (best == free_groups_.end()) {
+    make_room(groups_, kShareOfLasting);
     groups_.emplace_back();
     return static_cast<std::uint32_t>(groups_.size() - 1);
   }
@@ -290,7 +298,7 @@ void SceneThings<kOf>::empty_group(std::uint32_t group) {
 /// Makes one group of all small ones.
 template <SceneKind kOf>
 void SceneThings<kOf>::join_small() {
-  batch_.clear();
+  batch_.resize(0);
   for (const std::uint32_t group : small_groups_) {
     const std::size_t size = groups_[group].size();
     if (size == 0 || size >= kSmall) continue;  // emptied since, or listed twice; it may be a large one by now
@@ -308,10 +316,10 @@ void SceneThings<kOf>::tidy_loose() {
     const std::uint32_t group = loose_groups_.back();
     loose_groups_.pop_back();
     if (groups_[group].size() == 0) continue;  // emptied since
-    batch_.clear();
+    batch_.resize(0);
     groups_[group].append_living(batch_);
     empty_group(group);
-    if (batch_.empty()) continue;
+    if (batch_.size() == 0) continue;
     place_group(batch_);
     ++tidied;
   }
@@ -331,10 +339,10 @@ void SceneThings<kOf>::build_top() {
     used_groups_.push_back(g);
     boxes_.push_back(groups_[g].tree().box());
   }
-  builder_.curve.sort(boxes_);
-  top_.build(boxes_, builder_.curve.order());
+  const std::span<const std::uint32_t> order = builder_.sort(boxes_, false);
+  top_.build(boxes_, order);
   top_groups_.clear();
-  for (const std::uint32_t k : builder_.curve.order()) top_groups_.push_back(used_groups_[k]);
+  for (const std::uint32_t k : order) top_groups_.push_back(used_groups_[k]);
 }
 
 template <SceneKind kOf>
@@ -364,11 +372,19 @@ std::size_t SceneThings<kOf>::count(const ItemRange& groups, std::uint32_t mask)
   return things;
 }
 
+/// REQUIRES: there is such a thing.
+template <SceneKind kOf>
+typename SceneThings<kOf>::Id SceneThings<kOf>::seen_id(const Found& at) const {
+  if (at.group == kUnplaced) return unplaced_[at.index].id;
+  if (at.group == kMovingUnplaced) return moving_unplaced_[at.index].id;
+  return groups_[at.group].id(at.index);
+}
+
 template <SceneKind kOf>
 std::optional<typename SceneThings<kOf>::Seen> SceneThings<kOf>::seen(Id id) const {
   if (id.slot() >= places_.size()) return std::nullopt;
   const Found& at = places_[id.slot()];
-  if (at.group == kNone || at.generation != id.generation()) return std::nullopt;
+  if (at.group == kNone || seen_id(at) != id) return std::nullopt;
   if (at.group == kUnplaced) return Seen{unplaced_[at.index].mask, nullptr, 0};
   if (at.group == kMovingUnplaced) return Seen{moving_unplaced_[at.index].mask, nullptr, 0};
   const Group& group = groups_[at.group];
@@ -377,12 +393,11 @@ std::optional<typename SceneThings<kOf>::Seen> SceneThings<kOf>::seen(Id id) con
 
 template <SceneKind kOf>
 std::size_t SceneThings<kOf>::bytes() const {
-  std::size_t bytes = known_.bytes() + bytes_of(moving_) + bytes_of(arrivals_) + bytes_of(departed_) + bytes_of(remasked_) +
+  std::size_t bytes = known_.bytes() + moving_.bytes() + arrivals_.bytes() + bytes_of(departed_) + bytes_of(remasked_) +
                       bytes_of(places_) + bytes_of(groups_) + bytes_of(unplaced_) + bytes_of(moving_unplaced_) +
                       bytes_of(top_groups_) + bytes_of(used_groups_) + top_.bytes() + bytes_of(before_) +
                       bytes_of(layered_) + bytes_of(free_groups_) + bytes_of(small_groups_) + bytes_of(loose_groups_) +
-                      bytes_of(batch_) + builder_.curve.bytes() + builder_.split.bytes() + bytes_of(builder_.boxes) +
-                      bytes_of(boxes_);
+                      batch_.bytes() + builder_.curve.bytes() + builder_.split.bytes() + bytes_of(boxes_);
   for (const Group& group : groups_) bytes += group.bytes();
   return bytes;
 }

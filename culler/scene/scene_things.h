@@ -14,9 +14,9 @@
 
 #include "model/bounds.h"
 #include "model/packed_tree.h"
-#include "occlude/culler/box.h"
 #include "occlude/culler/executor.h"
 #include "occlude/culler/scene.h"
+#include "scene/scene_box.h"
 #include "scene/slots.h"
 #include "scene/thing_group.h"
 
@@ -33,16 +33,14 @@ class SceneThings {
   using Id = SceneId<kOf>;
   using Thing = SceneThing<kOf>;
   using Group = ThingGroup<kOf>;
-  /// None: it has no place.
-  using Place = std::optional<Box>;
 
   explicit SceneThings(SceneNumber& scene);
 
-  /// REQUIRES: a legal_box(); so below.
-  Id add(const Place& place, const ObjectOptions& options);
+  /// What has no box has no place.
+  Id add(const SceneBox& box, const ObjectOptions& options);
   void remove(Id id);
   void remove(std::span<const Id> ids);
-  void move(Id id, const Place& place);
+  void move(Id id, const SceneBox& box);
   void set_enabled(Id id, bool is_enabled);
   void set_mask(Id id, std::uint32_t mask);
   [[nodiscard]] bool contains(Id id) const { return known_.contains(id); }
@@ -83,20 +81,19 @@ class SceneThings {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// What the caller has made of a thing.
+  /// What the caller has made of a thing. There is one for each slot, so it is no larger than it must be.
   struct Known {
+    static constexpr std::uint32_t kNowhere = (1U << (Id::kSlotBits + 1)) - 1;
+
     std::uint32_t mask = 0;
-    std::uint32_t next = kNone;  ///< its index in moving_, or in arrivals_ if it has arrived there since the last update
-    bool is_enabled = true, moves = false, is_always_drawn = false;
-  };
-  /// A thing that will stand somewhere, or was moved to there. The id is none if it was removed again.
-  struct Change {
-    Thing thing;
-    bool is_unplaced = false;
+    /// Its index in moving_, or in arrivals_ if it has arrived there since the last update.
+    std::uint32_t next : Id::kSlotBits + 1 = kNowhere;
+    std::uint32_t is_enabled : 1 = 1, moves : 1 = 0, is_always_drawn : 1 = 0;
+
+    void set_next(std::size_t index) { next = index & kNowhere; }
   };
   /// Where views find a thing: in a group, in unplaced_ (kUnplaced) or in moving_unplaced_ (kMovingUnplaced).
   struct Found {
-    std::uint32_t generation = 0;
     std::uint32_t group = kNone, index = 0;
   };
   static constexpr std::uint32_t kMoving = 0;  ///< the group of the things that move
@@ -105,15 +102,19 @@ class SceneThings {
   [[nodiscard]] static std::uint32_t seen_mask(const Known& thing) { return thing.is_enabled ? thing.mask : 0; }
   void set_layers(Id id, std::uint32_t mask, bool is_enabled);
   void changed(const Known& thing);
+  [[nodiscard]] ThingList<kOf>& list_of(const Known& thing) { return thing.moves ? moving_ : arrivals_; }
+  [[nodiscard]] Id seen_id(const Found& at) const;
 
   void place_again(const Executor& executor);
+  void take_arrivals();
+  [[nodiscard]] std::size_t placed_of_moving();
   void remove_departed();
   void remove_from_place(std::uint32_t slot);
   void mask_again();
   void place_moving();
   void place_arrivals(const Executor& executor);
   void place_large_batch(const Executor& executor);
-  void place_group(std::span<const Thing> things);
+  void place_group(const ThingList<kOf>& things);
   void note_places(std::uint32_t group);
   void join_small();
   void tidy_loose();
@@ -124,8 +125,9 @@ class SceneThings {
 
   // Of the caller.
   Slots<Id, Known> known_;
-  std::vector<Change> moving_;           ///< all things that move, as they will be
-  std::vector<Change> arrivals_;         ///< things that stand still and were added or moved
+  ThingList<kOf> moving_;                ///< all things that move, as they will be
+  ThingList<kOf> arrivals_;              ///< things that stand still and were added or moved; one that was removed again
+                                         ///< has no id
   std::vector<std::uint32_t> departed_;  ///< slots to be taken out of their places
   std::vector<std::uint32_t> remasked_;  ///< slots whose layers have changed
   std::atomic<bool> has_moved_ = false;  ///< whether the group of what moves is to be built
@@ -145,7 +147,7 @@ class SceneThings {
 
   // Of update().
   std::vector<std::uint32_t> free_groups_, small_groups_, loose_groups_;
-  std::vector<Thing> batch_;
+  ThingList<kOf> batch_;
   std::vector<std::uint32_t> used_groups_;
   GroupBuilder builder_;
   std::vector<kernel::Aabb> boxes_;

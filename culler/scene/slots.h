@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "occlude/culler/scene.h"
@@ -16,14 +17,18 @@
 
 namespace occlude::culler {
 
-/// Makes room for one more, so that adding it cannot fail.
+/// Makes room for one more, so that adding it cannot fail. Room grows by one part in `share`: the more parts, the less of it
+/// stays empty, and the more often elements are copied.
 template <class T>
-void make_room(std::vector<T>& v) {
-  if (v.size() == v.capacity()) v.reserve(std::max<std::size_t>(16, 2 * v.size()));
+void make_room(std::vector<T>& v, std::size_t share) {
+  if (v.size() == v.capacity()) v.reserve(v.size() + std::max<std::size_t>(16, v.size() / share));
 }
 
-/// `Id` is a SceneId. What is removed makes place for another, whose id has another generation. If add() throws, nothing has
-/// changed; remove() throws nothing but for an unknown id.
+/// What there is once for each thing for as long as that is in the scene is not to have much empty room. It is small.
+constexpr std::size_t kShareOfLasting = 16;
+
+/// `Id` is a SceneId, and a `Thing` is copied as its bytes are. What is removed makes place for another, whose id has
+/// another generation. If add() throws, nothing has changed; remove() throws nothing but for an unknown id.
 template <class Id, class Thing>
 class Slots {
  public:
@@ -31,10 +36,10 @@ class Slots {
   explicit Slots(SceneNumber& scene) : scene_(scene), of_scene_(Id(0, 0, scene.number()).number()) {}
 
   Id add(Thing thing) {
-    if (free_.empty()) add_slot();
-    const std::uint32_t i = free_.back();
-    free_.pop_back();
-    slots_[i].thing = std::move(thing);
+    if (free_ == kNone) add_slot();
+    const std::uint32_t i = free_;
+    free_ = slots_[i].next_free;
+    std::construct_at(&slots_[i].thing, thing);
     slots_[i].is_used = true;
     scene_.use(slots_[i].generation);
     ++count_;
@@ -43,11 +48,10 @@ class Slots {
   void remove(Id id) {
     if (!contains(id)) refuse(id);
     Slot& slot = slots_[id.slot()];
-    slot.thing = {};
     slot.is_used = false;
     --count_;
     // A slot whose generations have all been used is not used again.
-    if (++slot.generation >> Id::kGenerationBits == 0) free_.push_back(id.slot());
+    if (++slot.generation >> Id::kGenerationBits == 0) free(id.slot());
   }
 
   [[nodiscard]] bool contains(Id id) const {
@@ -72,29 +76,25 @@ class Slots {
     if (unknown == ids.end()) return;
     throw std::invalid_argument(name(Id::kKind) + " " + std::to_string(unknown - ids.begin()) + ": " + fault(*unknown));
   }
-  /// The thing in a slot. REQUIRES: slot < slots(). It is empty if the slot is.
+  /// The thing in a slot. REQUIRES: there is one.
   [[nodiscard]] Thing& at(std::uint32_t slot) { return slots_[slot].thing; }
 
   /// The number of things, and that of slots.
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] std::size_t slots() const { return slots_.size(); }
-  [[nodiscard]] std::size_t bytes() const {
-    return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t);
-  }
-
-  /// Calls visit(id, thing) for all, in the order of their slots.
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    for (std::uint32_t i = 0; i < slots_.size(); ++i) {
-      if (slots_[i].is_used) visit(id(i), slots_[i].thing);
-    }
-  }
+  /// For how many slots there is room.
+  [[nodiscard]] std::size_t capacity() const { return slots_.capacity(); }
+  [[nodiscard]] std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
 
  private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
   struct Slot {
-    Thing thing{};
-    std::uint32_t generation = 0;
-    bool is_used = false;
+    union {
+      Thing thing;              ///< if it is used
+      std::uint32_t next_free;  ///< else
+    };
+    std::uint32_t is_used : 1, generation : Id::kGenerationBits + 1;
   };
 
   static std::string name(SceneKind kind) { return kind == SceneKind::object ? "object" : "occluder"; }
@@ -109,16 +109,19 @@ class Slots {
   void add_slot() {
     const std::size_t slot = slots_.size();
     if (slot >> Id::kSlotBits != 0) throw std::runtime_error("the scene has no room for another " + name(Id::kKind));
-    make_room(slots_);
-    free_.reserve(slots_.capacity());  // so that removing cannot fail
-    free_.push_back(static_cast<std::uint32_t>(slot));
-    slots_.push_back({.generation = scene_.first_generation()});
+    make_room(slots_, kShareOfLasting);
+    slots_.push_back({{.next_free = kNone}, 0, scene_.first_generation() & ((1U << (Id::kGenerationBits + 1)) - 1)});
+    free(static_cast<std::uint32_t>(slot));
+  }
+  void free(std::uint32_t slot) {
+    slots_[slot].next_free = free_;
+    free_ = slot;
   }
 
   SceneNumber& scene_;
   std::uint64_t of_scene_;  ///< the number of the first id
   std::vector<Slot> slots_;
-  std::vector<std::uint32_t> free_;
+  std::uint32_t free_ = kNone;  ///< the first of the free slots, each of which has the next
   std::size_t count_ = 0;
 };
 

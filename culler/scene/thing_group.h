@@ -7,36 +7,75 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/curve_order.h"
 #include "model/packed_tree.h"
 #include "model/split_order.h"
-#include "occlude/culler/box.h"
 #include "occlude/culler/scene.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"
+#include "scene/packed_edges.h"
+#include "scene/slots.h"
 
 namespace occlude::culler {
 
-/// An object or an occluder, and where it is.
+/// An object or an occluder, beside its SceneBox::outer.
 template <SceneKind kOf>
 struct SceneThing {
   SceneId<kOf> id;
   std::uint32_t mask = 0;  ///< 0 if it is disabled
-  Box box;                 ///< legal, and so is its outer_box()
+  PackedEdges edges;
+};
+
+/// Things and where they are, side by side, because trees are built of boxes alone.
+template <SceneKind kOf>
+struct ThingList {
+  using Thing = SceneThing<kOf>;
+
+  std::vector<kernel::Aabb> boxes;  ///< SceneBox::outer
+  std::vector<Thing> things;
+
+  [[nodiscard]] std::size_t size() const { return things.size(); }
+  /// The bytes of memory that it holds.
+  [[nodiscard]] std::size_t bytes() const {
+    return boxes.capacity() * sizeof(kernel::Aabb) + things.capacity() * sizeof(Thing);
+  }
+  /// So that adding one more cannot fail.
+  void make_room() {
+    constexpr std::size_t kShare = 4;
+    culler::make_room(boxes, kShare);
+    culler::make_room(things, kShare);
+  }
+  void push_back(const kernel::Aabb& box, const Thing& thing) {
+    boxes.push_back(box);
+    things.push_back(thing);
+  }
+  void resize(std::size_t size) {
+    boxes.resize(size);
+    things.resize(size);
+  }
+  void swap(std::size_t i, std::size_t k) {
+    std::swap(boxes[i], boxes[k]);
+    std::swap(things[i], things[k]);
+  }
+  void copy(std::size_t from, std::size_t to) {
+    boxes[to] = boxes[from];
+    things[to] = things[from];
+  }
 };
 
 /// Memory for building, shared by all groups.
 struct GroupBuilder {
   CurveOrder curve;
   SplitOrder split;
-  std::vector<kernel::Aabb> boxes;
 
-  /// The indices of `boxes` in an order for a tree.
-  std::span<const std::uint32_t> sort(bool is_lasting);
+  /// The indices of the boxes in an order for a tree. `is_lasting` says that the tree is for many frames, and so worth a
+  /// better order.
+  std::span<const std::uint32_t> sort(std::span<const kernel::Aabb> boxes, bool is_lasting);
 };
 
 /// Several threads may read at once.
@@ -46,8 +85,8 @@ class ThingGroup {
   using Id = SceneId<kOf>;
   using Thing = SceneThing<kOf>;
 
-  /// `is_lasting` says that the tree is for many frames, and so worth a better order.
-  void assign(std::span<const Thing> things, bool is_lasting, GroupBuilder& builder);
+  /// `is_lasting`: as GroupBuilder::sort(). REQUIRES: as many things as boxes, and each is_some().
+  void assign(std::span<const kernel::Aabb> boxes, std::span<const Thing> things, bool is_lasting, GroupBuilder& builder);
   void clear();
   /// Removes thing i. Its place stays empty, and in no layer. The tree stays, so its boxes may be larger than they need be.
   void remove(std::uint32_t i);
@@ -55,21 +94,23 @@ class ThingGroup {
   void fit_box();
   void set_mask(std::uint32_t i, std::uint32_t mask);
   /// Appends what is left.
-  void append_living(std::vector<Thing>& things) const;
+  void append_living(ThingList<kOf>& things) const;
 
   /// The places of things, in the order of the tree; of these, those that are not empty.
-  [[nodiscard]] std::size_t size() const { return places_.size(); }
+  [[nodiscard]] std::size_t size() const { return ids_.size(); }
   [[nodiscard]] std::size_t living() const { return living_; }
   /// The box around all things, those removed since the last fit_box() included.
   [[nodiscard]] const kernel::Aabb& box() const { return box_; }
   /// How many things have room without allocating.
-  [[nodiscard]] std::size_t capacity() const { return places_.capacity(); }
+  [[nodiscard]] std::size_t capacity() const { return ids_.capacity(); }
   [[nodiscard]] std::size_t bytes() const;
 
   /// A tree over outer(i), those of empty places included.
   [[nodiscard]] const PackedTree& tree() const { return tree_; }
-  [[nodiscard]] Id id(std::uint32_t i) const { return places_[i].id; }
-  [[nodiscard]] std::uint32_t mask(std::uint32_t i) const { return places_[i].mask; }
+  /// None if the place is empty.
+  [[nodiscard]] Id id(std::uint32_t i) const { return ids_[i]; }
+  /// 0 if the place is empty.
+  [[nodiscard]] std::uint32_t mask(std::uint32_t i) const { return masks_[i]; }
   /// Of the things [first, first + 8): those that are in one of these layers, and those whose boxes are oriented.
   struct Kinds {
     kernel::BoxBits in_layers = 0, oriented = 0;
@@ -77,15 +118,14 @@ class ThingGroup {
   [[nodiscard]] Kinds kinds(std::uint32_t first, std::uint32_t mask) const;
   /// A hint that kinds(first, …) comes.
   void prefetch(std::uint32_t first) const {
-    hwy::Prefetch(&places_[first]);
-    hwy::Prefetch(&places_[std::min<std::size_t>(first + TreeBlock::kNodes, size()) - 1]);
+    hwy::Prefetch(&masks_[first]);
+    hwy::Prefetch(&ids_[first]);
   }
+  /// Holds thing i, as oriented(i) does.
   [[nodiscard]] kernel::Aabb outer(std::uint32_t i) const { return tree_.item(i); }
-  /// Calls question(box) with the box of thing i, which may be oriented.
-  template <class Question>
-  decltype(auto) ask(std::uint32_t i, const Question& question) const {
-    const std::uint32_t k = places_[i].oriented;
-    return k == kNone ? question(outer(i)) : question(oriented_[k]);
+  [[nodiscard]] std::optional<kernel::Obb> oriented(std::uint32_t i) const {
+    if (!is_oriented(i)) return std::nullopt;
+    return edges_[i].box(outer(i));
   }
   /// Whether every thing is in all layers.
   [[nodiscard]] bool is_in_all_layers() const { return is_in_all_layers_; }
@@ -96,21 +136,16 @@ class ThingGroup {
   [[nodiscard]] std::size_t count(std::uint32_t mask) const { return count({0, static_cast<std::uint32_t>(size())}, mask); }
 
  private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   /// Whether no place is empty, and every thing is in one of these layers.
   [[nodiscard]] bool is_whole(std::uint32_t mask) const { return is_in_all_layers_ && living_ == size() && mask != 0; }
   [[nodiscard]] std::size_t count_one_by_one(const ItemRange& things, std::uint32_t mask) const;
 
-  struct Place {
-    Id id;                   ///< none if the place is empty
-    std::uint32_t mask;      ///< 0 if the place is empty
-    std::uint32_t oriented;  ///< the index in oriented_, or kNone
-  };
+  [[nodiscard]] bool is_oriented(std::size_t i) const { return !edges_.empty() && !edges_[i].is_none(); }
 
   PackedTree tree_;
-  std::vector<Place> places_;
-  std::vector<kernel::Obb> oriented_;
+  std::vector<Id> ids_;
+  std::vector<std::uint32_t> masks_;
+  std::vector<PackedEdges> edges_;  ///< none at all if no box is oriented
   std::size_t living_ = 0;
   kernel::Aabb box_;
   bool is_box_loose_ = false;

@@ -23,7 +23,14 @@ struct SceneBenchOptions {
   std::size_t check_every = 100;  ///< frames; 0: nothing is checked
   std::size_t proofs = 20;        ///< culls that are proved, for each view of a frame that is checked
   std::uint64_t seed = 1;
-  culler::CoverOptions cover = {};
+  culler::CoverOptions cover = {};  ///< of the culls, with their budget
+};
+
+/// What is measured of one camera.
+struct SceneViewResult {
+  ViewSpread spread;
+  Spread view_frustum_ms;   ///< of culls by the view frustum alone
+  double hidden_share = 0;  ///< of the objects in view, in all frames together
 };
 
 struct SceneBenchResult {
@@ -31,11 +38,15 @@ struct SceneBenchResult {
   double build_ms = 0;                     ///< of the whole world
   double bytes_of_object = 0;
   Spread change_ms, update_ms;
-  std::vector<ViewSpread> views;
+  std::vector<SceneViewResult> views;
   std::size_t frames_checked = 0, objects_compared = 0;
   std::size_t different = 0;             ///< objects that a scene made anew culls otherwise
   std::size_t proved = 0, unproved = 0;  ///< culls by occluders
 };
+
+[[nodiscard]] inline bool has_budget(const culler::CoverOptions& cover) {
+  return cover.ms != culler::CoverOptions().ms || cover.work != culler::CoverOptions().work;
+}
 
 /// Whether the polygons that are named hide the box of the object from the camera.
 using Prove = std::function<bool(const culler::Camera&, const culler::ObjectFate&, const culler::Box&)>;

@@ -37,7 +37,9 @@ void add_bench_scene(Command bench, int& exit_code) {
       "--check-every frames the culls are compared with those of a scene made anew, and some are proved by the exact "
       "oracle;\n"
       "exit code 1 when one is wrong.\n"
+      "The same frames are culled by the view frustum alone as well: a budget does not bound what that takes.\n"
       "Example: occlude bench scene\n"
+      "Example: occlude bench scene --budget-ms 0.5\n"
       "Example: occlude bench scene --objects 100000 --streamed 20000 --moving 1000 --frames 100 --json");
   const auto a = std::make_shared<BenchSceneArguments>();
   experiments::SceneBenchOptions& options = a->options;
@@ -55,6 +57,7 @@ void add_bench_scene(Command bench, int& exit_code) {
   command.add("--check-every", options.check_every, "frames between checks; 0: none")
       .show_default()
       .in_range(std::size_t{0}, kMost);
+  add_budgets(command, options.cover);
   command.add("--seed", a->seed, "whole number; the same seed gives the same world").show_default();
   command.add_flag("--json", a->json, "print everything measured as JSON");
   command.run([a, &exit_code] { bench_scene(*a, exit_code); });

@@ -143,6 +143,7 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
     build_options_ = build_.add_to(command);
     append(build_options_);
     append(add_tuning_to(command));
+    append(add_budgets(command, cull_.cover));
   });
   command.under(kDebugging, [&] { append(add_debugging_to(command)); });
   return options;
@@ -182,9 +183,23 @@ std::vector<Option> WalkArguments::add_common_to(Command command) {
   };
 }
 
+std::vector<Option> add_budgets(Command command, culler::CoverOptions& cover) {
+  constexpr double kLongest = 1e9;  // milliseconds, eleven days
+  return {
+      command
+          .add("--budget-work", cover.work,
+               "most work of a cull by cover: boxes asked, and 16 for each triangle drawn into the coarse picture; the same "
+               "on "
+               "every machine (default: no limit)")
+          .not_negative(),
+      command
+          .add("--budget-ms", cover.ms,
+               "most milliseconds of a cull by cover, about; what is left is drawn unasked (default: no limit)")
+          .in_range(0, kLongest)};
+}
+
 std::vector<Option> WalkArguments::add_tuning_to(Command command) {
   constexpr std::size_t kMostProbes = 4096;
-  constexpr double kLongest = 1e9;  // milliseconds, eleven days
   constexpr double kLargestMargin = kLargestSide;
   constexpr double kLargestWeight = 16;  // powers of ratios of a thousand stay within the range of double
   const auto weight = [&](const char* name, double& value, const char* text) {
@@ -194,16 +209,6 @@ std::vector<Option> WalkArguments::add_tuning_to(Command command) {
   return {
       command.add("--cover-size", cover_size_, "WxH, size of the coarse picture in pixels, each from 64 to 4096")
           .show_default(),
-      command
-          .add("--budget-work", cull_.cover.work,
-               "most work of a cull by cover: boxes asked, and 16 for each triangle drawn into the coarse picture; the same "
-               "on "
-               "every machine (default: no limit)")
-          .not_negative(),
-      command
-          .add("--budget-ms", cull_.cover.ms,
-               "most milliseconds of a cull by cover, about; what is left is drawn unasked (default: no limit)")
-          .in_range(0, kLongest),
       of_frusta(
           command
               .add("--probes", cull_.probes, "candidates per frame for which the polygons that they would hide are counted")

@@ -44,6 +44,9 @@ class BuildArguments {
   std::string bounds_ = "aabb", shapes_ = "polytope", regions_ = "grid";
 };
 
+/// Adds the budgets of a cull by cover and returns them.
+std::vector<Option> add_budgets(Command command, culler::CoverOptions& cover);
+
 /// The options of a walk: its frames, pictures and culling.
 class WalkArguments {
  public:

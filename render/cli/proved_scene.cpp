@@ -28,7 +28,7 @@ bool is_proved(const culler::Camera& camera, const culler::ObjectFate& fate, con
 }  // namespace
 
 experiments::SceneBenchResult measure_scene(const experiments::SceneBenchOptions& options) {
-  render::Progress progress("frame", options.settling + options.frames);
+  render::Progress progress("frame", 2 * (options.settling + options.frames));
   return experiments::bench_scene(options, is_proved, [&](std::size_t done, std::size_t) {
     render::check_interrupt();
     progress.update(done);

@@ -155,6 +155,35 @@ static void options_of_objects_and_occluders(void) {
   cull(scene, view);
   CHECK(draws(view, behind));
 
+  // Welded: two halves that only touch hide without a seam. The wall of before is no part of the weld.
+  CHECK_OK(occlude_scene_enable_occluder(scene, body, 0));
+  const double half_vertices[] = {10, -5, -5, 10, 0, -5, 10, 0, 5, 10, -5, 5};
+  const uint32_t half_indices[] = {0, 1, 2, 3}, half_sizes[] = {4};
+  occlude_mesh_data half_data = OCCLUDE_MESH_DATA_INIT;
+  half_data.vertices.data = half_vertices;
+  half_data.vertices.count = 4;
+  half_data.indices = half_indices;
+  half_data.index_count = 4;
+  half_data.polygon_sizes = half_sizes;
+  half_data.polygon_count = 1;
+  occlude_mesh* half = NULL;
+  CHECK_OK(occlude_mesh_create(&half_data, &half));
+  occlude_placement beside = OCCLUDE_PLACEMENT_INIT;
+  beside.origin[1] = 5;
+  for (uint32_t weld = 0; weld <= 1; ++weld) {
+    occlude_occluder_options half_options = OCCLUDE_OCCLUDER_OPTIONS_INIT;
+    half_options.weld = weld;
+    occlude_occluder halves[2];
+    CHECK_OK(occlude_scene_add_occluder(scene, half, NULL, &half_options, &halves[0]));
+    CHECK_OK(occlude_scene_add_occluder(scene, half, &beside, &half_options, &halves[1]));
+    cull(scene, view);
+    CHECK(draws(view, behind) == (weld == 0));
+    CHECK_OK(occlude_scene_remove_occluder(scene, halves[0]));
+    CHECK_OK(occlude_scene_remove_occluder(scene, halves[1]));
+  }
+  occlude_mesh_destroy(half);
+  CHECK_OK(occlude_scene_enable_occluder(scene, body, 1));
+
   // Another mesh: a pentagon that looks to the eye, with a corner in the middle of an edge.
   const double vertices[] = {10, -5, -5, 10, -5, 5, 10, 5, 5, 10, 5, 0, 10, 5, -5};
   const uint32_t indices[] = {0, 1, 2, 3, 4}, sizes[] = {5};

@@ -140,9 +140,6 @@ static void reserved(void) {
   occlude_object_options object = OCCLUDE_OBJECT_OPTIONS_INIT;
   object.reserved = 1;
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "options: reserved is not 0", add_object(&object));
-  occlude_occluder_options occluder = OCCLUDE_OCCLUDER_OPTIONS_INIT;
-  occluder.reserved = 1;
-  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "options: reserved is not 0", add_occluder(&occluder));
   occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
   camera.reserved = 1;
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "camera: reserved is not 0", cull_by_camera(&camera));

@@ -64,6 +64,17 @@ grep -q '"different": 0,' scene.json || fail "bench scene: culled otherwise than
 grep -q '"unproved": 0$' scene.json || fail "bench scene: culls that are not proved"
 [ "$(sed -n 's/^ *"proved": \([0-9]*\),/\1/p' scene.json)" -ge 60 ] || fail "bench scene: few proofs"
 "$occlude" bench scene "${small[@]}" | grep -q 'objects hidden' || fail "bench scene without --json"
+# With a budget culls are proved, and not compared. Work is the same everywhere: the less of it, the less is hidden.
+share_with() { "$occlude" bench scene "${small[@]}" --json "$@" | tee scene.json | sed -n '0,/"hidden_share"/s/^ *"hidden_share": \(.*\)$/\1/p'; }
+little=$(share_with --budget-work 300) much=$(share_with --budget-work 30000) all=$(share_with)
+grep -q '"budget_work": null,' scene.json || fail "bench scene: a budget where there is none"
+awk -v a="$little" -v b="$much" -v c="$all" 'BEGIN { exit !(a < b && b <= c && c > 0) }' ||
+  fail "bench scene: budgets hide $little, $much, $all"
+"$occlude" bench scene "${small[@]}" --budget-ms 1 --json >scene.json || fail "bench scene --budget-ms"
+for expected in '"budget_ms": 1.0,' '"different": 0,' '"unproved": 0$' '"view_frustum_ms": {'; do
+  grep -q "$expected" scene.json || fail "bench scene --budget-ms: no $expected"
+done
+expect_error "--budget-ms" "$occlude" bench scene --budget-ms -1
 expect_error "--streamed" "$occlude" bench scene --objects 1000 --streamed 1001 --moving 0 --moving-occluders 0
 expect_error "--moving-occluders" "$occlude" bench scene --moving 5 --moving-occluders 6
 expect_error "--frames" "$occlude" bench scene --frames 0

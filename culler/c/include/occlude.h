@@ -264,7 +264,11 @@ typedef struct occlude_occluder_options {
   int32_t is_one_sided;
   /// Layers: see occlude_cull_options.mask.
   uint32_t mask;
-  uint32_t reserved;  ///< 0
+  /// A number of the caller's, 0: none. Occluders with the same weld, and all other options the same, hide as one mesh does:
+  /// where corners of theirs are at the same place, to the bit, their polygons share edges, and no seam is left between
+  /// occluders that only touch. Each update in which one of them changed prepares a mesh of all that are enabled, about 2
+  /// microseconds for each triangle, and allocates.
+  uint32_t weld;
   /// The object that draws it, if any, which is in the scene. It hides nothing in frames without that object: once the
   /// object is removed, and while it is disabled, in no layer of the frame or too small.
   occlude_object object;

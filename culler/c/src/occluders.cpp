@@ -21,7 +21,8 @@ culler::OccluderOptions to_options(const occlude_scene* scene, const occlude_occ
       .moves = options.moves != 0,
       .is_one_sided = options.is_one_sided != 0,
       .mask = options.mask,
-      .object = options.object.number == 0 ? culler::ObjectId() : known(scene, options.object, "object of the options: ")};
+      .object = options.object.number == 0 ? culler::ObjectId() : known(scene, options.object, "object of the options: "),
+      .weld = options.weld};
 }
 
 culler::Placement to_placement(const occlude_placement* given) {

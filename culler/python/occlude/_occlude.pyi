@@ -115,6 +115,7 @@ class Scene:
         is_one_sided: bool = False,
         mask: int = 0xFFFFFFFF,
         object: Union[ObjectId, None] = None,
+        weld: int = 0,
     ) -> OccluderId: ...
     def add_occluders(
         self,
@@ -125,6 +126,7 @@ class Scene:
         is_one_sided: bool = False,
         mask: int = 0xFFFFFFFF,
         object: Union[ObjectId, None] = None,
+        weld: int = 0,
     ) -> NDArray[np.uint64]: ...
     def move_occluder(self, id: OccluderId, placement: Union[ArrayLike, None]) -> None: ...
     def replace_occluder(self, id: OccluderId, mesh: OccluderMesh) -> None: ...

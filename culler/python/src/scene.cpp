@@ -320,21 +320,25 @@ void define_occluders(Class& scene) {
       .def(
           "add_occluder",
           [](SharedScene& s, const Mesh& mesh, const std::optional<Doubles>& placement, bool moves, bool is_one_sided,
-             std::uint32_t mask, std::optional<std::uint64_t> object) {
+             std::uint32_t mask, std::optional<std::uint64_t> object, std::uint32_t weld) {
             const culler::Placement at = to_placement(placement);
-            const culler::OccluderOptions options{moves, is_one_sided, mask, to_object(object)};
+            const culler::OccluderOptions options{moves, is_one_sided, mask, to_object(object), weld};
             return from_id(s.change([&](culler::Scene& in) { return in.add(mesh, at, options); }));
           },
           "mesh"_a.none(false), "placement"_a = py::none(), py::kw_only(), "moves"_a = false, "is_one_sided"_a = false,
-          "mask"_a = kAllLayers, "object"_a = py::none(), "Adds an occluder; its id.")
+          "mask"_a = kAllLayers, "object"_a = py::none(), "weld"_a = 0,
+          "Adds an occluder; its id. Those with the same weld, if that is not 0, and all other options the same hide as "
+          "one\n"
+          "mesh does: where corners of theirs are at the same place, to the bit, no seam is left between them.")
       .def(
           "add_occluders",
           [](SharedScene& s, const Mesh& mesh, const Doubles& placements, bool moves, bool is_one_sided, std::uint32_t mask,
-             std::optional<std::uint64_t> object) {
-            return add_occluders(s, mesh, placements, {moves, is_one_sided, mask, to_object(object)});
+             std::optional<std::uint64_t> object, std::uint32_t weld) {
+            return add_occluders(s, mesh, placements, {moves, is_one_sided, mask, to_object(object), weld});
           },
           "mesh"_a.none(false), "placements"_a, py::kw_only(), "moves"_a = false, "is_one_sided"_a = false,
-          "mask"_a = kAllLayers, "object"_a = py::none(), "Adds an occluder for each placement; an array of their ids.")
+          "mask"_a = kAllLayers, "object"_a = py::none(), "weld"_a = 0,
+          "Adds an occluder for each placement; an array of their ids.")
       .def(
           "move_occluder",
           [](SharedScene& s, std::uint64_t id, const std::optional<Doubles>& placement) {
