@@ -5,13 +5,15 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "base/for_ranges.h"
 #include "frusta/solid_angle.h"
 #include "model/adjacency.h"
 #include "model/legal_soup.h"
+#include "occlude/kernel/validity.h"
 #include "simplify/flat_mesh.h"
 
 namespace occlude::culler {
@@ -30,6 +32,15 @@ double size_of(const std::array<glm::dvec3, 3>& corners, std::span<const glm::dv
   double sum = 0;
   for (const glm::dvec3& eye : eyes) sum += std::fabs(solid_angle(a - eye, b - eye, c - eye));
   return sum;
+}
+
+void require_finite(std::span<const glm::dvec3> eyes) {
+  for (std::size_t i = 0; i < eyes.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (kernel::check(eyes[i][axis]) != kernel::Refusal::not_finite) continue;
+      throw std::invalid_argument("eye " + std::to_string(i) + ": number is not finite");
+    }
+  }
 }
 
 void add_boxes(std::span<const InnerBox> boxes, std::vector<Offer>& offers) {
@@ -78,6 +89,7 @@ void keep_used(std::span<const InnerBox> boxes, SimplifiedOccluders& result) {
 
 SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& options, const Checkpoint& checkpoint) {
   require_legal(soup);
+  require_finite(options.eyes);
   FlatMesh mesh(soup, checkpoint);
   SimplifiedOccluders result;
   result.drawn_triangles = mesh.size();

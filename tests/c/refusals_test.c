@@ -29,6 +29,15 @@ static void null_pointers(void) {
   CHECK_REFUSED(refused, "data is null", occlude_mesh_create(NULL, &made));
   CHECK_REFUSED(refused, "mesh is null", occlude_mesh_box(NULL, &box));
   CHECK_REFUSED(refused, "box is null", occlude_mesh_box(wall, NULL));
+  occlude_simplified* simplified = NULL;
+  occlude_occluders occluders = OCCLUDE_OCCLUDERS_INIT;
+  CHECK_REFUSED(refused, "simplified is null", occlude_simplified_create(&data, NULL, NULL));
+  CHECK_REFUSED(refused, "data is null", occlude_simplified_create(NULL, NULL, &simplified));
+  CHECK_REFUSED(refused, "simplified is null", occlude_simplified_occluders(NULL, &occluders));
+  CHECK_OK(occlude_simplified_create(&data, NULL, &simplified));
+  CHECK_REFUSED(refused, "occluders is null", occlude_simplified_occluders(simplified, NULL));
+  occlude_simplified_destroy(simplified);
+  occlude_simplified_destroy(NULL);
   occlude_mesh_destroy(NULL);
   occlude_scene_destroy(NULL);
   occlude_view_destroy(NULL);
@@ -277,15 +286,27 @@ static void meshes(void) {
   indices[2] = 2;
   vertices[4] = INFINITY;
   CHECK_REFUSED(refused, "vertex 1: number is not finite", occlude_mesh_create(&data, &mesh));
+  occlude_simplified* simplified = NULL;
+  CHECK_REFUSED(refused, "vertex 1: number is not finite", occlude_simplified_create(&data, NULL, &simplified));
   data.vertices.type = 9;
   CHECK_REFUSED(refused, "number type is 9, which is none of its enumerators", occlude_mesh_create(&data, &mesh));
   data.vertices.type = OCCLUDE_DOUBLE;
   vertices[4] = 0;
+  occlude_simplify_options options = OCCLUDE_SIMPLIFY_OPTIONS_INIT;
+  options.eyes.count = 2;
+  CHECK_REFUSED(refused, "data of eyes is null", occlude_simplified_create(&data, &options, &simplified));
+  const float eyes[] = {0, 0, 0, 1, -INFINITY, 0};
+  options.eyes.data = eyes;
+  options.eyes.type = OCCLUDE_FLOAT;
+  CHECK_REFUSED(refused, "eye 1: number is not finite", occlude_simplified_create(&data, &options, &simplified));
   int asked = 0;
   data.should_stop = stop_now;
   data.context = &asked;
   CHECK_REFUSED(OCCLUDE_STOPPED, "stopped by the caller", occlude_mesh_create(&data, &mesh));
   CHECK(asked > 0 && mesh == NULL);
+  asked = 0;
+  CHECK_REFUSED(OCCLUDE_STOPPED, "stopped by the caller", occlude_simplified_create(&data, NULL, &simplified));
+  CHECK(asked > 0 && simplified == NULL);
 }
 
 static void rounding(void) {

@@ -68,7 +68,8 @@ struct SimplifiedOccluders {
 
 /// Makes occluders of a soup. Objects that come and go by themselves are soups of their own: a flat region may go over
 /// polygons of several. The result does not depend on the number of processors. Takes time n log n in the triangles, and
-/// what find_inner_boxes() takes. Throws as the constructor of Culler, and what `checkpoint` throws. REQUIRES: finite eyes.
+/// what find_inner_boxes() takes. Throws as the constructor of Culler, std::invalid_argument for an eye that is not finite,
+/// and what `checkpoint` throws.
 [[nodiscard]] SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& options = {},
                                                        const Checkpoint& checkpoint = {});
 
