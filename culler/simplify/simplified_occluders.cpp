@@ -13,8 +13,8 @@
 #include "frusta/solid_angle.h"
 #include "model/adjacency.h"
 #include "model/legal_soup.h"
-#include "occlude/kernel/validity.h"
 #include "simplify/flat_mesh.h"
+#include "simplify/shares_of_hiding.h"
 
 namespace occlude::culler {
 namespace {
@@ -23,24 +23,50 @@ namespace {
 struct Offer {
   std::array<glm::dvec3, 3> corners;
   OccluderOrigin origin;
+  double share = 0;  ///< of what is hidden in the views
   double size = 0;
 };
 
-double size_of(const std::array<glm::dvec3, 3>& corners, std::span<const glm::dvec3> eyes) {
+/// How large it looks from the eyes of the views, all together; its area if there are none.
+double size_of(const std::array<glm::dvec3, 3>& corners, std::span<const Camera> views) {
   const auto& [a, b, c] = corners;
-  if (eyes.empty()) return glm::length(glm::cross(b - a, c - a));
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  if (views.empty()) return glm::length(normal);
   double sum = 0;
-  for (const glm::dvec3& eye : eyes) sum += std::fabs(solid_angle(a - eye, b - eye, c - eye));
+  for (const Camera& view : views) {
+    const glm::dvec3& eye = view.eye;
+    sum += std::fabs(view.projection == Projection::perspective ? solid_angle(a - eye, b - eye, c - eye)
+                                                                : glm::dot(normal, glm::normalize(view.target - eye)));
+  }
   return sum;
 }
 
-void require_finite(std::span<const glm::dvec3> eyes) {
-  for (std::size_t i = 0; i < eyes.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (kernel::check(eyes[i][axis]) != kernel::Refusal::not_finite) continue;
-      throw std::invalid_argument("eye " + std::to_string(i) + ": number is not finite");
-    }
+void require_sound(std::span<const Camera> views) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (const std::string reason = fault(views[i]); !reason.empty())
+      throw std::invalid_argument("view " + std::to_string(i) + ": " + reason);
   }
+}
+
+PolygonSoup soup_of(std::span<const Offer> offers) {
+  PolygonSoup soup;
+  for (const Offer& offer : offers) {
+    std::array<std::uint32_t, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = soup.add_vertex(offer.corners[i]);
+    soup.add_polygon(corners);
+  }
+  return soup;
+}
+
+void measure(std::vector<Offer>& offers, std::span<const Camera> views, const Checkpoint& checkpoint) {
+  const std::vector<double> shares = shares_of_hiding(soup_of(offers), views, checkpoint);
+  const auto measure_some = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      offers[i].share = shares[i];
+      offers[i].size = size_of(offers[i].corners, views);
+    }
+  };
+  for_ranges(offers.size(), measure_some, checkpoint);
 }
 
 void add_boxes(std::span<const InnerBox> boxes, std::vector<Offer>& offers) {
@@ -89,7 +115,7 @@ void keep_used(std::span<const InnerBox> boxes, SimplifiedOccluders& result) {
 
 SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& options, const Checkpoint& checkpoint) {
   require_legal(soup);
-  require_finite(options.eyes);
+  require_sound(options.views);
   FlatMesh mesh(soup, checkpoint);
   SimplifiedOccluders result;
   result.drawn_triangles = mesh.size();
@@ -104,11 +130,8 @@ SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& o
   std::vector<InnerBox> boxes;
   if (options.boxes.boxes > 0) boxes = find_inner_boxes(soup, options.boxes, {}, checkpoint).boxes;
   add_boxes(boxes, offers);
-  const auto measure = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) offers[i].size = size_of(offers[i].corners, options.eyes);
-  };
-  for_ranges(offers.size(), measure, checkpoint);
-  std::ranges::stable_sort(offers, std::ranges::greater(), &Offer::size);
+  measure(offers, options.views, checkpoint);
+  std::ranges::stable_sort(offers, std::ranges::greater(), [](const Offer& o) { return std::pair(o.share, o.size); });
   offers.resize(std::min(offers.size(), options.triangles));
   add_triangles(offers, result, checkpoint);
   keep_used(boxes, result);

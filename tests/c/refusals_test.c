@@ -293,12 +293,16 @@ static void meshes(void) {
   data.vertices.type = OCCLUDE_DOUBLE;
   vertices[4] = 0;
   occlude_simplify_options options = OCCLUDE_SIMPLIFY_OPTIONS_INIT;
-  options.eyes.count = 2;
-  CHECK_REFUSED(refused, "data of eyes is null", occlude_simplified_create(&data, &options, &simplified));
-  const float eyes[] = {0, 0, 0, 1, -INFINITY, 0};
-  options.eyes.data = eyes;
-  options.eyes.type = OCCLUDE_FLOAT;
-  CHECK_REFUSED(refused, "eye 1: number is not finite", occlude_simplified_create(&data, &options, &simplified));
+  options.view_count = 2;
+  CHECK_REFUSED(refused, "views is null", occlude_simplified_create(&data, &options, &simplified));
+  occlude_look_at_camera views[] = {OCCLUDE_LOOK_AT_CAMERA_INIT, OCCLUDE_LOOK_AT_CAMERA_INIT};
+  views[1].near_plane = -1;
+  options.views = views;
+  CHECK(occlude_simplified_create(&data, &options, &simplified) == refused && strstr(occlude_last_error(), "view 1: "));
+  views[1].near_plane = 1;
+  views[1].projection = 7;
+  CHECK_REFUSED(refused, "projection is 7, which is none of its enumerators",
+                occlude_simplified_create(&data, &options, &simplified));
   int asked = 0;
   data.should_stop = stop_now;
   data.context = &asked;

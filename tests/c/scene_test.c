@@ -560,11 +560,16 @@ static void simplified_occluders(void) {
   occlude_mesh_destroy(mesh);
   occlude_simplified_destroy(simplified);
 
-  // Seen from beyond one face, that one comes first. With boxes there are twice as many.
-  const double eye[] = {9, 2, 2};
+  // Seen from beyond one face, that one hides the others. With boxes there are twice as many.
+  occlude_look_at_camera views[] = {OCCLUDE_LOOK_AT_CAMERA_INIT, OCCLUDE_LOOK_AT_CAMERA_INIT};
+  for (int i = 0; i < 2; ++i) {
+    views[i].eye[0] = 9 + i;
+    views[i].eye[1] = views[i].eye[2] = views[i].target[1] = views[i].target[2] = 2;
+    views[i].target[0] = 0;
+  }
   occlude_simplify_options options = OCCLUDE_SIMPLIFY_OPTIONS_INIT;
-  options.eyes.data = eye;
-  options.eyes.count = 1;
+  options.views = views;
+  options.view_count = 2;
   options.triangles = 2;
   CHECK_OK(occlude_simplified_create(&data, &options, &simplified));
   CHECK_OK(occlude_simplified_occluders(simplified, &few));

@@ -244,9 +244,29 @@ TEST(SimplifiedOccluders, BestFirst) {
   }
   // From an eye close to one of them that one is the first, and one of which no side is seen is the last.
   for (std::uint32_t i = 0; i < 20; ++i) {
-    const dvec3 eye = soup.vertices[3 * i] + dvec3(0.1, 0.1, 0);
-    EXPECT_EQ(simplified_occluders(soup, {.triangles = 1, .eyes = std::span(&eye, 1)}).origins[0].polygon, i);
+    Camera view;
+    view.eye = soup.vertices[3 * i] + dvec3(0.1, 0.1, 0);
+    view.target = view.eye + dvec3(0, 1, 0);
+    EXPECT_EQ(simplified_occluders(soup, {.triangles = 1, .views = std::span(&view, 1)}).origins[0].polygon, i);
   }
+}
+
+/// Of walls one behind the other the first is chosen, though those behind it look larger together. Where nothing is hidden,
+/// what looks largest is.
+TEST(SimplifiedOccluders, WhatHidesComesFirst) {
+  PolygonSoup soup;
+  const auto add_wall = [&](double x, double size) { add(soup, {{x, -size, -size}, {x, size, -size}, {x, 0, size}}); };
+  for (int i = 0; i < 20; ++i) add_wall(30 + 10 * i, 5);
+  add_wall(-9, 9);
+  add_wall(20, 18);
+  Camera view;
+  const auto first = [&] { return simplified_occluders(soup, {.triangles = 1, .views = std::span(&view, 1)}).origins[0]; };
+  EXPECT_EQ(first().polygon, 21U);
+  view.target = {-1, 0, 0};
+  EXPECT_EQ(first().polygon, 20U);
+  view.projection = Projection::orthographic;
+  view.eye.x = -50;
+  EXPECT_EQ(first().polygon, 21U);
 }
 
 TEST(SimplifiedOccluders, BoxesStandBesideWhatTheyAreIn) {
@@ -369,6 +389,9 @@ TEST(SimplifiedOccluders, RefuseWhatIsNotLegalAndStopWhenAsked) {
   soup.vertices[4].x = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)simplified_occluders(soup), std::invalid_argument);
   soup.vertices[4].x = 0;
+  std::array<Camera, 2> views;
+  views[1].target = views[1].eye;
+  EXPECT_THROW((void)simplified_occluders(soup, {.views = views}), std::invalid_argument);
   soup.indices[0] = 12345;
   EXPECT_THROW((void)simplified_occluders(soup), std::invalid_argument);
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Simplified occluders, in the C interface.
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "arrays.h"
+#include "cameras.h"
 #include "mesh_data.h"
 #include "occlude/culler/simplified_occluders.h"
 #include "status.h"
@@ -20,14 +21,16 @@ struct occlude_simplified {
 namespace occlude::c {
 namespace {
 
-std::vector<glm::dvec3> eyes_of(const occlude_points& given) {
-  const Points points(given.data, given.count, given.stride, given.type, "data of eyes");
-  std::vector<glm::dvec3> eyes;
-  for (std::size_t i = 0; i < given.count; ++i) {
-    const auto [x, y, z] = points[i];
-    eyes.emplace_back(x, y, z);
+/// Structs of one version follow one another, whichever it is.
+std::vector<culler::Camera> views_of(const occlude_simplify_options& options) {
+  std::vector<culler::Camera> views;
+  if (options.view_count == 0) return views;
+  const std::size_t stride = said_size(options.views, sizeof *options.views, "views");
+  const auto* at = reinterpret_cast<const std::byte*>(options.views);
+  for (std::size_t i = 0; i < options.view_count; ++i, at += stride) {
+    views.push_back(to_camera(reinterpret_cast<const occlude_look_at_camera*>(at)));
   }
-  return eyes;
+  return views;
 }
 
 }  // namespace
@@ -41,9 +44,9 @@ occlude_status occlude_simplified_create(const occlude_mesh_data* data, const oc
     require(simplified, "simplified");
     const occlude_mesh_data read_data = read(data, occlude_mesh_data OCCLUDE_MESH_DATA_INIT, "data");
     const auto read_these = read_options(options, occlude_simplify_options OCCLUDE_SIMPLIFY_OPTIONS_INIT, "options");
-    const std::vector<glm::dvec3> eyes = eyes_of(read_these.eyes);
+    const std::vector<occlude::culler::Camera> views = views_of(read_these);
     const occlude::culler::SimplifyOptions how{
-        .triangles = read_these.triangles, .eyes = eyes, .boxes = {.boxes = read_these.boxes, .cells = read_these.cells}};
+        .triangles = read_these.triangles, .views = views, .boxes = {.boxes = read_these.boxes, .cells = read_these.cells}};
     auto made = std::make_unique<occlude_simplified>();
     made->occluders = simplified_occluders(soup_of(read_data), how, checkpoint_of(read_data));
     for (const occlude::culler::OccluderOrigin& origin : made->occluders.origins) {

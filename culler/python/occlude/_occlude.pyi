@@ -332,7 +332,7 @@ def simplified_occluders(
     *,
     see_through: Union[ArrayLike, None] = None,
     triangles: int = 10000,
-    eyes: Union[ArrayLike, None] = None,
+    views: list[Camera] = [],
     boxes: int = 0,
     cells: int = 16,
 ) -> SimplifiedOccluders: ...

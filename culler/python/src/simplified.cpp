@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Simplified occluders.
+#include <pybind11/stl.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -15,15 +17,11 @@ using culler::OccluderOrigin;
 using culler::SimplifiedOccluders;
 
 SimplifiedOccluders simplify(const Doubles& vertices, const py::object& polygons, const py::object& sizes,
-                             const py::object& see_through, std::size_t triangles, const py::object& eyes, std::size_t boxes,
-                             std::size_t cells) {
+                             const py::object& see_through, std::size_t triangles, const std::vector<culler::Camera>& views,
+                             std::size_t boxes, std::size_t cells) {
   const culler::PolygonSoup soup = to_soup(vertices, polygons, sizes, see_through);
-  std::vector<glm::dvec3> from;
-  if (!eyes.is_none()) {
-    for (const kernel::Vec3& eye : to_points(eyes.cast<Doubles>(), "eyes")) from.emplace_back(eye.x, eye.y, eye.z);
-  }
   const py::gil_scoped_release others_run;
-  return simplified_occluders(soup, {.triangles = triangles, .eyes = from, .boxes = {.boxes = boxes, .cells = cells}});
+  return simplified_occluders(soup, {.triangles = triangles, .views = views, .boxes = {.boxes = boxes, .cells = cells}});
 }
 
 py::array_t<double> vertices_of(const SimplifiedOccluders& simplified) {
@@ -78,9 +76,9 @@ void define_simplified(py::module_& module) {
       });
   module.def(
       "simplified_occluders", &simplify, "vertices"_a, "polygons"_a, "sizes"_a = py::none(), py::kw_only(),
-      "see_through"_a = py::none(), "triangles"_a = defaults.triangles, "eyes"_a = py::none(),
+      "see_through"_a = py::none(), "triangles"_a = defaults.triangles, "views"_a = py::list(),
       "boxes"_a = defaults.boxes.boxes, "cells"_a = defaults.boxes.cells,
-      "At most so many triangles that lie exactly on opaque polygons: those that look largest from all eyes together, "
+      "At most so many triangles that lie exactly on opaque polygons: those that hide most in all views together, "
       "or have the largest area. With boxes, halves of faces of so many inner boxes of each closed part as well, which "
       "hide for eyes alone that are never inside of one.");
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Occluders of few triangles, made of what is drawn: its flat regions without what divides them, boxes inside of its closed
-// parts, and of these what looks largest. Reading order: 13.
+// parts, and of these what hides most. Reading order: 13.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
+#include "occlude/culler/camera.h"
 #include "occlude/culler/executor.h"
 #include "occlude/culler/inner_boxes.h"
 #include "occlude/culler/polygon_soup.h"
@@ -17,9 +17,10 @@ namespace occlude::culler {
 
 struct SimplifyOptions {
   std::size_t triangles = 10'000;  ///< at most
-  /// From where the occluders will be looked at: some places of a walk, or of the rooms in which one walks. The triangles
-  /// that look largest from there, all together, are chosen. None: those with the largest area.
-  std::span<const glm::dvec3> eyes = {};
+  /// What the camera will see: some views of a walk, or from the rooms in which one walks, where six of 90 degrees look all
+  /// around. The triangles are chosen that hide most of the soup in these views, all together, and then those that look
+  /// largest from there. None: those with the largest area.
+  std::span<const Camera> views = {};
   /// InnerBoxOptions::boxes is 0 where no boxes are wanted. Boxes hide for eyes alone that are never inside of a closed part
   /// (inner_boxes.h); all other occluders hide for every eye.
   InnerBoxOptions boxes = {.boxes = 0};
@@ -67,9 +68,9 @@ struct SimplifiedOccluders {
 };
 
 /// Makes occluders of a soup. Objects that come and go by themselves are soups of their own: a flat region may go over
-/// polygons of several. The result does not depend on the number of processors. Takes time n log n in the triangles, and
-/// what find_inner_boxes() takes. Throws as the constructor of Culler, std::invalid_argument for an eye that is not finite,
-/// and what `checkpoint` throws.
+/// polygons of several. The result does not depend on the number of processors. Takes time n log n in the triangles, a
+/// few times that of a cull for each view, and what find_inner_boxes() takes. Throws as the constructor of Culler,
+/// std::invalid_argument for a view with a fault(), and what `checkpoint` throws.
 [[nodiscard]] SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& options = {},
                                                        const Checkpoint& checkpoint = {});
 
