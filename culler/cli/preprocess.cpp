@@ -245,7 +245,7 @@ void add_preprocess(Command app, int&) {
       "\n"
       "Inner boxes are occluders for engines: they lie exactly inside of the closed parts of the model, and hide nothing\n"
       "wrongly from eyes outside of these parts. So do the occluders of --occluders, with a budget of triangles: they lie\n"
-      "exactly on the model, and hide nothing wrongly from any eye, but for those --with-boxes.\n" +
+      "exactly on the model, and hide nothing wrongly from any eye, but for those --with-boxes or --inset.\n" +
       limits_help() +
       "\n"
       "Example: occlude preprocess city.ply --out city.pre --inner-boxes boxes.ply\n"
@@ -294,11 +294,19 @@ void add_preprocess(Command app, int&) {
       .add_flag("--with-boxes", a->with_boxes,
                 "choose among faces of inner boxes, too: where no eye gets into a closed part")
       .needs(occluders);
+  command
+      .add("--inset", a->simple.inset,
+           "merge what is flat up to so many metres, inside of closed parts: where no eye gets into one; 0: what is exactly "
+           "so")
+      .show_default()
+      .in_range(0.0, 1e3)
+      .needs(occluders);
   command.add_flag("--json", a->json, "print the counts as JSON");
   a->parts.add_to(command, "preprocess");
   command.run_on_all_ranks([a, command] {
-    a->given = command.given_but({"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--occluders", "--triangles",
-                                  "--path", "--matrix-order", "--with-boxes", "--json", "--quiet", "--parts", "--resume"});
+    a->given =
+        command.given_but({"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--occluders", "--triangles", "--path",
+                           "--matrix-order", "--with-boxes", "--inset", "--json", "--quiet", "--parts", "--resume"});
     preprocess(*a);
   });
 }

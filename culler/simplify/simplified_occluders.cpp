@@ -14,6 +14,7 @@
 #include "model/adjacency.h"
 #include "model/legal_soup.h"
 #include "simplify/flat_mesh.h"
+#include "simplify/inset_parts.h"
 #include "simplify/shares_of_hiding.h"
 
 namespace occlude::culler {
@@ -69,6 +70,24 @@ void measure(std::vector<Offer>& offers, std::span<const Camera> views, const Ch
   for_ranges(offers.size(), measure_some, checkpoint);
 }
 
+/// The flat triangles, but for parts that do with others inside of them.
+void add_surfaces(SoupView soup, std::span<const FlatTriangle> flat, double inset, const Checkpoint& checkpoint,
+                  std::vector<Offer>& offers) {
+  std::vector<std::size_t> needed(soup.size());
+  for (const FlatTriangle& triangle : flat) ++needed[triangle.polygon];
+  if (inset > 0) {
+    for (const InsetPart& part : inset_parts(soup, inset, needed, checkpoint)) {
+      for (const std::uint32_t p : part.polygons) needed[p] = 0;
+      for (const auto& corners : part.triangles)
+        offers.push_back({corners, {.polygon = part.polygons[0], .is_inside = true}});
+    }
+  }
+  for (const FlatTriangle& triangle : flat) {
+    const auto at = [&](std::size_t i) { return soup.vertices[triangle.corners[i]]; };
+    if (needed[triangle.polygon] > 0) offers.push_back({{at(0), at(1), at(2)}, {.polygon = triangle.polygon}});
+  }
+}
+
 void add_boxes(std::span<const InnerBox> boxes, std::vector<Offer>& offers) {
   const PolygonSoup faces = soup_of(boxes);
   const std::size_t of_box = boxes.empty() ? 1 : faces.size() / boxes.size();
@@ -76,8 +95,8 @@ void add_boxes(std::span<const InnerBox> boxes, std::vector<Offer>& offers) {
     const auto loop = faces.loop(face);
     const auto box = static_cast<std::uint32_t>(face / of_box);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      offers.push_back(
-          {{faces.vertices[loop[0]], faces.vertices[loop[i]], faces.vertices[loop[i + 1]]}, {boxes[box].polygon, box}});
+      offers.push_back({{faces.vertices[loop[0]], faces.vertices[loop[i]], faces.vertices[loop[i + 1]]},
+                        {boxes[box].polygon, box, true}});
     }
   }
 }
@@ -123,10 +142,7 @@ SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& o
   result.flat_triangles = mesh.size();
 
   std::vector<Offer> offers;
-  for (const FlatTriangle& triangle : mesh.triangles()) {
-    const auto at = [&](std::size_t i) { return soup.vertices[triangle.corners[i]]; };
-    offers.push_back({{at(0), at(1), at(2)}, {triangle.polygon, OccluderOrigin::kNoBox}});
-  }
+  add_surfaces(soup, mesh.triangles(), options.inset, checkpoint, offers);
   std::vector<InnerBox> boxes;
   if (options.boxes.boxes > 0) boxes = find_inner_boxes(soup, options.boxes, {}, checkpoint).boxes;
   add_boxes(boxes, offers);

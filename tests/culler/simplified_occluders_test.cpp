@@ -269,6 +269,38 @@ TEST(SimplifiedOccluders, WhatHidesComesFirst) {
   EXPECT_EQ(first().polygon, 21U);
 }
 
+/// The same, turned about all axes: its places are rounded, and nothing of it is exactly flat.
+PolygonSoup turned(PolygonSoup soup) {
+  for (dvec3& v : soup.vertices) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double &x = v[axis], &y = v[(axis + 1) % 3];
+      const double turned_x = std::cos(0.5) * x - std::sin(0.5) * y;
+      y = std::sin(0.5) * x + std::cos(0.5) * y;
+      x = turned_x;
+    }
+  }
+  return soup;
+}
+
+TEST(SimplifiedOccluders, NearlyFlatRegionsOfClosedPartsAreMergedInside) {
+  const PolygonSoup box = turned(fine_box(40, {10.1, 7.3, 5.7}));
+  EXPECT_GT(size_of(box), 1000U);
+  const SimplifiedOccluders simple = simplified_occluders(box, {.inset = 1e-9});
+  ASSERT_EQ(simple.soup.size(), 12U);
+  EXPECT_EQ(simple.soup.vertices.size(), 8U);
+  EXPECT_TRUE(is_all_closed(simple.soup));
+  EXPECT_NEAR(area(simple.soup), area(box), 1e-8);
+  for (const OccluderOrigin& origin : simple.origins) EXPECT_EQ(origin, (OccluderOrigin{.polygon = 0, .is_inside = true}));
+  PolygonSoup open = box;
+  open.indices.resize(open.indices.size() - 3);
+  open.first.pop_back();
+  SimplifyOptions options = kAll;
+  options.inset = 1e-9;
+  EXPECT_EQ(simplified_occluders(open, options).soup.size(), size_of(open)) << "a part with a hole is not closed";
+  const PolygonSoup flat = fine_box(40, {8, 4, 2});
+  for (const OccluderOrigin& origin : simplified_occluders(flat, {.inset = 1e-9}).origins) EXPECT_FALSE(origin.is_inside);
+}
+
 TEST(SimplifiedOccluders, BoxesStandBesideWhatTheyAreIn) {
   PolygonSoup soup;
   soup.add_box({0, 0, 0}, {1, 1, 1});
@@ -284,7 +316,7 @@ TEST(SimplifiedOccluders, BoxesStandBesideWhatTheyAreIn) {
     const OccluderOrigin& origin = simple.origins[t];
     if (origin.box == OccluderOrigin::kNoBox) continue;
     ++of_boxes;
-    EXPECT_EQ(origin, (OccluderOrigin{6, 0}));
+    EXPECT_EQ(origin, (OccluderOrigin{6, 0, true}));
   }
   EXPECT_GE(of_boxes, 1U);
 }

@@ -98,6 +98,9 @@ class Simplified(unittest.TestCase):
         self.assertEqual(len(sized), 12)
         boxes = occlude.simplified_occluders(vertices, polygons, boxes=1, cells=4)
         self.assertEqual(sorted(boxes.box), [-1] * 12 + [0] * 12)
+        turned = vertices @ np.array([[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, 0.28, 0.96], [0, -0.96, 0.28]])
+        self.assertGreater(len(occlude.simplified_occluders(turned, polygons)), 12)
+        self.assertEqual(len(occlude.simplified_occluders(turned, polygons, inset=1e-9)), 12)
         self.assertEqual(boxes.boxes.tolist(), [[0, 0, 0, 4, 4, 4]])
 
     def test_refusals(self):

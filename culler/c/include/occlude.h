@@ -433,11 +433,14 @@ typedef struct occlude_simplify_options {
   /// never inside of a closed part (occlude/culler/inner_boxes.h); all else hides for every eye.
   size_t boxes;
   size_t
-      cells;  ///< of the grid in which boxes are looked for, along each axis of a part: 3 to 64, else the nearest of these
+      cells;  ///< along each axis of a part, of the grid in which boxes are looked for: 3 to 64, else the nearest of these
+  /// By how much regions of closed parts may differ from flat ones and be merged still, inside of the part. 0: only what is
+  /// exactly flat is merged. Otherwise they hide as boxes do.
+  double inset;
 } occlude_simplify_options;
 
 #define OCCLUDE_SIMPLIFY_OPTIONS_INIT \
-  { sizeof(occlude_simplify_options), 10000, NULL, 0, 0, 16 }
+  { sizeof(occlude_simplify_options), 10000, NULL, 0, 0, 16, 0 }
 
 /// Triangles that lie exactly on opaque polygons of a mesh and turn as they do, or are halves of faces of its inner boxes.
 /// occlude/culler/simplified_occluders.h says why nothing is hidden wrongly.

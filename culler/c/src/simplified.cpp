@@ -45,8 +45,10 @@ occlude_status occlude_simplified_create(const occlude_mesh_data* data, const oc
     const occlude_mesh_data read_data = read(data, occlude_mesh_data OCCLUDE_MESH_DATA_INIT, "data");
     const auto read_these = read_options(options, occlude_simplify_options OCCLUDE_SIMPLIFY_OPTIONS_INIT, "options");
     const std::vector<occlude::culler::Camera> views = views_of(read_these);
-    const occlude::culler::SimplifyOptions how{
-        .triangles = read_these.triangles, .views = views, .boxes = {.boxes = read_these.boxes, .cells = read_these.cells}};
+    const occlude::culler::SimplifyOptions how{.triangles = read_these.triangles,
+                                               .views = views,
+                                               .boxes = {.boxes = read_these.boxes, .cells = read_these.cells},
+                                               .inset = read_these.inset};
     auto made = std::make_unique<occlude_simplified>();
     made->occluders = simplified_occluders(soup_of(read_data), how, checkpoint_of(read_data));
     for (const occlude::culler::OccluderOrigin& origin : made->occluders.origins) {

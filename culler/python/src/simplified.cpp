@@ -18,10 +18,11 @@ using culler::SimplifiedOccluders;
 
 SimplifiedOccluders simplify(const Doubles& vertices, const py::object& polygons, const py::object& sizes,
                              const py::object& see_through, std::size_t triangles, const std::vector<culler::Camera>& views,
-                             std::size_t boxes, std::size_t cells) {
+                             std::size_t boxes, std::size_t cells, double inset) {
   const culler::PolygonSoup soup = to_soup(vertices, polygons, sizes, see_through);
   const py::gil_scoped_release others_run;
-  return simplified_occluders(soup, {.triangles = triangles, .views = views, .boxes = {.boxes = boxes, .cells = cells}});
+  return simplified_occluders(
+      soup, {.triangles = triangles, .views = views, .boxes = {.boxes = boxes, .cells = cells}, .inset = inset});
 }
 
 py::array_t<double> vertices_of(const SimplifiedOccluders& simplified) {
@@ -77,10 +78,11 @@ void define_simplified(py::module_& module) {
   module.def(
       "simplified_occluders", &simplify, "vertices"_a, "polygons"_a, "sizes"_a = py::none(), py::kw_only(),
       "see_through"_a = py::none(), "triangles"_a = defaults.triangles, "views"_a = py::list(),
-      "boxes"_a = defaults.boxes.boxes, "cells"_a = defaults.boxes.cells,
+      "boxes"_a = defaults.boxes.boxes, "cells"_a = defaults.boxes.cells, "inset"_a = defaults.inset,
       "At most so many triangles that lie exactly on opaque polygons: those that hide most in all views together, "
-      "or have the largest area. With boxes, halves of faces of so many inner boxes of each closed part as well, which "
-      "hide for eyes alone that are never inside of one.");
+      "or have the largest area. With boxes, halves of faces of so many inner boxes of each closed part as well, and with "
+      "an inset, triangles inside of closed parts that are flat up to it: these hide for eyes alone that are never inside "
+      "of one.");
 }
 
 }  // namespace occlude::python

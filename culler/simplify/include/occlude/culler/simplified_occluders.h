@@ -24,28 +24,31 @@ struct SimplifyOptions {
   /// InnerBoxOptions::boxes is 0 where no boxes are wanted. Boxes hide for eyes alone that are never inside of a closed part
   /// (inner_boxes.h); all other occluders hide for every eye.
   InnerBoxOptions boxes = {.boxes = 0};
+  /// By how much regions of closed parts may differ from flat ones and be merged still: each is moved inwards, until it is
+  /// flat and the part all beyond it. 0: what is exactly flat is merged, and stays where it is. Hides as boxes do.
+  double inset = 0;
 };
 
 /// Where a triangle comes from.
 struct OccluderOrigin {
   static constexpr std::uint32_t kNoBox = ~std::uint32_t{0};
 
-  std::uint32_t polygon = 0;   ///< one of those on which it lies, or the first of the part in which its box lies
+  std::uint32_t polygon = 0;   ///< one of those on which it lies, or the first of the part inside of which it lies
   std::uint32_t box = kNoBox;  ///< the box of which it is half a face (SimplifiedOccluders::boxes), or none
+  bool is_inside = false;      ///< whether it lies inside of a closed part (inner_boxes.h), not on it
 
   friend bool operator==(const OccluderOrigin&, const OccluderOrigin&) = default;
 };
 
 /// Triangles that may hide for a soup, such that
-/// 1. *on faces:* a triangle without a box lies on the soup: each of its points is a point of an opaque polygon, as it is
-///    drawn, in the same plane. Its corners are vertices of the soup, and it turns as those polygons do;
+/// 1. *on faces:* a triangle that is not inside lies on the soup: each of its points is a point of an opaque polygon, as it
+///    is drawn, in the same plane. Its corners are vertices of the soup, and it turns as those polygons do;
 /// 2. *inside:* a triangle with a box is half a face of an inner box of the soup (inner_boxes.h), and turns
-/// counter-clockwise
-///    seen from outside of the box;
-/// 3. *whole:* if `triangles` is not less than `flat_triangles` and no boxes are wanted, then the triangles cover all that
-/// the
-///    opaque polygons cover. If no polygon is repeated and every edge of the soup runs along an even number of sides, then
-///    so does every edge of the triangles: what is closed stays closed;
+///    counter-clockwise seen from outside of the box. Another one that is inside has no point in common with the polygons of
+///    the closed part, as they are drawn, and all its points are inside of the part;
+/// 3. *whole:* if `triangles` is not less than `flat_triangles`, and neither boxes nor an inset are wanted, then the
+///    triangles cover all that the opaque polygons cover. If no polygon is repeated and every edge of the soup runs along an
+///    even number of sides, then so does every edge of the triangles: what is closed stays closed;
 /// 4. *best first:* they descend by what they are chosen for, so that the first n are those for n triangles.
 ///
 /// Why 1 and 3 hold. Triangles of the soup's fans are joined where they share an edge, lie exactly in one plane on either
