@@ -114,6 +114,7 @@ void add_turned_solid(Random& random, PolygonSoup& soup, double scale) {
   const dvec3 begin = scale * lattice_point(random, 3);
   const int fine = random.integer(1, 4), cells = random.integer(1, 2);
   const double noise = scale * std::array{0.0, 1e-15, 1e-12, 0.01}[random.index(4)];
+  const bool is_turned_inwards = random.chance(0.2);
   std::map<std::array<int, 3>, std::uint32_t> corners;
   std::set<std::array<int, 3>> full;
   for (int i = 0; i < cells; ++i) full.insert({i, 0, random.integer(0, 1)});
@@ -143,7 +144,7 @@ void add_turned_solid(Random& random, PolygonSoup& soup, double scale) {
             at[(axis + 2) % 3] += i / fine + v;
             loop.push_back(corner(at));
           }
-          if (far == 0) std::ranges::reverse(loop);
+          if ((far == 0) != is_turned_inwards) std::ranges::reverse(loop);
           if (!random.chance(0.001)) soup.add_polygon(loop);
         }
       }
