@@ -131,25 +131,33 @@ class Regions {
     const auto number = static_cast<std::uint32_t>(planes_.size());
     const glm::dvec3 normal = normal_[first];
     const double level = glm::dot(normal, part_.vertices[part_.loop(first)[0]]);
-    double lowest = level;
-    std::vector<std::uint32_t> waiting{first};
+    std::vector<std::uint32_t> found{first};
     region_[first] = number;
-    while (!waiting.empty()) {
-      const std::uint32_t t = waiting.back();
-      waiting.pop_back();
-      for (const std::uint32_t v : part_.loop(t)) lowest = std::min(lowest, glm::dot(normal, part_.vertices[v]));
-      for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
-        const std::uint32_t u = neighbour_[side];
-        if (u == kNone || region_[u] != kNone || !(glm::dot(normal, normal_[u]) > kLeastCosine)) continue;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      for (std::uint32_t side = 3 * found[k]; side < 3 * found[k] + 3; ++side) {
+        const std::uint32_t t = neighbour_[side];
+        if (t == kNone || region_[t] != kNone || !(glm::dot(normal, normal_[t]) > kLeastCosine)) continue;
         const auto is_near = [&](std::uint32_t v) {
           return std::fabs(glm::dot(normal, part_.vertices[v]) - level) <= inset_ / 2;
         };
-        if (!std::ranges::all_of(part_.loop(u), is_near)) continue;
-        region_[u] = number;
-        waiting.push_back(u);
+        if (!std::ranges::all_of(part_.loop(t), is_near)) continue;
+        region_[t] = number;
+        found.push_back(t);
       }
     }
-    planes_.push_back({normal, lowest - kSpare * most_});
+    planes_.push_back(plane_before(found));
+  }
+
+  /// The plane across the mean normal of triangles that has them all beyond it.
+  [[nodiscard]] Inner plane_before(std::span<const std::uint32_t> triangles) const {
+    glm::dvec3 sum(0);
+    for (const std::uint32_t t : triangles) sum += area_[t] * normal_[t];
+    const glm::dvec3 normal = glm::normalize(sum);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t t : triangles) {
+      for (const std::uint32_t v : part_.loop(t)) lowest = std::min(lowest, glm::dot(normal, part_.vertices[v]));
+    }
+    return {normal, lowest - kSpare * most_};
   }
 
   double inset_, most_ = 0;

@@ -6,13 +6,20 @@
 #include <cstdint>
 #include <utility>
 
+#include "cover/cover_triangles.h"
 #include "cover/cull_by_cover.h"
 #include "cover/drawn_groups.h"
-#include "cover/prepared_mesh.h"
 #include "frame/begin_frame.h"
+#include "model/hierarchy_blocks.h"
+#include "occlude/culler/hierarchy.h"
 
 namespace occlude::culler {
 namespace {
+
+/// What stands together is drawn together, and is best chosen together. With leaves of 4, as frames have, the same number
+/// hides a few tenths of a percent more, and frames draw a seventh more of it: 30,000 triangles of the castle take 0.47 of
+/// the time of what is drawn, not 0.39, and those of Sponza 0.56, not 0.49.
+constexpr std::uint32_t kLeafSize = 16;
 
 /// Watches a frame by cover, and shares out what it hides.
 class SharesOfFrame {
@@ -46,15 +53,16 @@ class SharesOfFrame {
 std::vector<double> shares_of_hiding(PolygonSoup soup, std::span<const Camera> views, const Checkpoint& checkpoint) {
   std::vector<double> shares(soup.size());
   if (soup.empty() || views.empty()) return shares;
-  const OccluderMesh mesh(std::move(soup), checkpoint);
-  const auto& [tree, blocks, triangles, size] = prepared_of(mesh);
+  const Hierarchy tree = Hierarchy::build(std::move(soup), {.leaf_size = kLeafSize}, checkpoint);
+  const HierarchyBlocks blocks(tree, checkpoint);
+  const CoverTriangles triangles = CoverTriangles::find(tree.soup(), checkpoint);
   const CullOptions options{.method = Method::cover};
   View::Memory memory;
   for (const Camera& camera : views) {
     checkpoint();
-    begin_frame(*tree, camera, options, memory);
-    cull_by_cover(*tree, blocks.tree(), triangles, options, memory.frame, memory.cover, memory.leaves,
-                  SharesOfFrame(*tree, memory.cover, shares));
+    begin_frame(tree, camera, options, memory);
+    cull_by_cover(tree, blocks.tree(), triangles, options, memory.frame, memory.cover, memory.leaves,
+                  SharesOfFrame(tree, memory.cover, shares));
   }
   return shares;
 }
