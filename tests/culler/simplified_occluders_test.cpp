@@ -310,12 +310,6 @@ TEST(SimplifiedOccluders, WhatIsNotProvenInsideStaysAsItIs) {
   PolygonSoup inwards = box;
   for (std::size_t p = 0; p < inwards.size(); ++p) std::swap(inwards.indices[3 * p], inwards.indices[3 * p + 1]);
   EXPECT_FALSE(has_inner(inwards, 1e-9)) << "behind it is outside";
-  // A plate that is as thin as it is rough: planes before all of one side lie beyond the other.
-  for (const double thickness : {0.5, 0.01}) {
-    PolygonSoup plate = fine_box(8, {10, 10, thickness});
-    for (dvec3& v : plate.vertices) v.z += 0.02 * std::sin(7 * v.x + 3 * v.y + v.z);
-    EXPECT_EQ(has_inner(plate, 0.1), thickness == 0.5) << thickness;
-  }
 }
 
 TEST(SimplifiedOccluders, BoxesStandBesideWhatTheyAreIn) {
