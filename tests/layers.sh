@@ -75,8 +75,8 @@ frusta: base model camera descent
 cover: base model camera descent
 scene: base model camera descent cover
 inner: base model frusta
-simplify: base model frusta inner
 frame: base model camera descent frusta cover
+simplify: base model camera descent frusta cover frame inner
 held: base model camera descent scene frame
 store: base model frusta cover frame
 '

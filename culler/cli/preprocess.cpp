@@ -159,16 +159,19 @@ Summary make_inner_boxes(render::OutputFile& file, culler::SoupView soup, const 
        {"seconds", seconds}}};
 }
 
+/// That of the pictures of a walk, unless it is told otherwise.
+constexpr double kAspect = 16.0 / 9.0;
+
 Summary make_occluders(render::OutputFile& file, const render::Model& model, const PreprocessArguments& arguments) {
   const render::Stopwatch stopwatch;
-  std::vector<glm::dvec3> eyes;
+  std::vector<culler::Camera> views;
   if (arguments.path.is_given()) {
     const render::CameraPath path = arguments.path.through(arguments.model, model);
     warn_of_misfit(path, arguments.path, arguments.model, model.soup);
-    eyes = path.viewpoints();
+    views = path.views(kAspect);
   }
   culler::SimplifyOptions options = arguments.simple;
-  options.eyes = eyes;
+  options.views = views;
   if (arguments.with_boxes) options.boxes = arguments.boxes;
   const culler::SimplifiedOccluders found = simplified_occluders(model.soup, options, render::check_interrupt);
   const double seconds = stopwatch.seconds();
@@ -242,7 +245,7 @@ void add_preprocess(Command app, int&) {
       "\n"
       "Inner boxes are occluders for engines: they lie exactly inside of the closed parts of the model, and hide nothing\n"
       "wrongly from eyes outside of these parts. So do the occluders of --occluders, with a budget of triangles: they lie\n"
-      "exactly on the model, and hide nothing wrongly from any eye, but for those --with-boxes.\n" +
+      "exactly on the model, and hide nothing wrongly from any eye, but for those --with-boxes or --inset.\n" +
       limits_help() +
       "\n"
       "Example: occlude preprocess city.ply --out city.pre --inner-boxes boxes.ply\n"
@@ -254,7 +257,7 @@ void add_preprocess(Command app, int&) {
   const Option inner_boxes = add_output(outputs, "--inner-boxes", a->inner_boxes,
                                         "PLY to write: boxes inside of the closed parts, six quadrilaterals each");
   const Option occluders = add_output(outputs, "--occluders", a->occluders,
-                                      "PLY to write: triangles on the model that hide in its place, the largest first");
+                                      "PLY to write: triangles on the model that hide in its place, the best first");
   a->read.add_to(command);
   a->build.add_to(command);
   command.add("--region-count", a->lists.regions, "number of regions aimed at; of a tree the most")
@@ -285,17 +288,25 @@ void add_preprocess(Command app, int&) {
       .show_default()
       .in_range(std::size_t{1}, std::size_t{1} << 30U)
       .needs(occluders);
-  a->path.add_to(command, "from where the occluders are looked at", "those with the largest area are chosen")
+  a->path.add_to(command, "in which the occluders are to hide most", "those with the largest area are chosen")
       .needs(occluders);
   command
       .add_flag("--with-boxes", a->with_boxes,
                 "choose among faces of inner boxes, too: where no eye gets into a closed part")
       .needs(occluders);
+  command
+      .add("--inset", a->simple.inset,
+           "merge what is flat up to so many metres, inside of closed parts: where no eye gets into one; 0: what is exactly "
+           "so")
+      .show_default()
+      .in_range(0.0, 1e3)
+      .needs(occluders);
   command.add_flag("--json", a->json, "print the counts as JSON");
   a->parts.add_to(command, "preprocess");
   command.run_on_all_ranks([a, command] {
-    a->given = command.given_but({"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--occluders", "--triangles",
-                                  "--path", "--matrix-order", "--with-boxes", "--json", "--quiet", "--parts", "--resume"});
+    a->given =
+        command.given_but({"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--occluders", "--triangles", "--path",
+                           "--matrix-order", "--with-boxes", "--inset", "--json", "--quiet", "--parts", "--resume"});
     preprocess(*a);
   });
 }

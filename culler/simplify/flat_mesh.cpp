@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
@@ -36,8 +37,8 @@ struct FlatMesh::Fan {
   bool is_closed = false;
 };
 
-FlatMesh::FlatMesh(SoupView soup, const Checkpoint& checkpoint)
-    : vertices_(soup.vertices), at_(soup.vertices.size()), counts_(soup.vertices.size()) {
+FlatMesh::FlatMesh(SoupView soup, std::span<const std::uint32_t> regions, const Checkpoint& checkpoint)
+    : vertices_(soup.vertices), regions_(regions), at_(soup.vertices.size()), counts_(soup.vertices.size()) {
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
   const std::vector<bool> is_repeated = find_repeated(soup, weld, checkpoint);
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
@@ -74,6 +75,7 @@ int FlatMesh::turn(int axis, Vertex a, Vertex b, Vertex c) const {
 
 /// Whether v is on the line from a to b, and neither of them.
 bool FlatMesh::is_between(Vertex a, Vertex v, Vertex b) const {
+  if (!regions_.empty()) return glm::dot(vertices_[v] - vertices_[a], vertices_[b] - vertices_[v]) > 0;
   for (int axis = 0; axis < 3; ++axis) {
     if (turn(axis, a, v, b) != 0) return false;
   }
@@ -87,6 +89,7 @@ bool FlatMesh::is_between(Vertex a, Vertex v, Vertex b) const {
 /// Whether the triangles of two half-edges along one edge, in opposite directions, lie in a plane, on either side of the
 /// edge. They do if both turn the same way, as seen along an axis along which they are not edge-on.
 bool FlatMesh::is_flat(HalfEdge g, HalfEdge h) const {
+  if (!regions_.empty()) return region(g) == region(h);
   const Vertex a = from(g), b = to(g), c = from(before(g)), d = from(before(h));
   if (kernel::orientation(to_kernel(vertices_[a]), to_kernel(vertices_[b]), to_kernel(vertices_[c]),
                           to_kernel(vertices_[d])) != 0) {

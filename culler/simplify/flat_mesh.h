@@ -25,7 +25,9 @@ class FlatMesh {
  public:
   /// The triangles with area of the fans of all opaque polygons that repeat none. REQUIRES: a legal soup, which is there as
   /// long as this is.
-  FlatMesh(SoupView soup, const Checkpoint& checkpoint);
+  FlatMesh(SoupView soup, const Checkpoint& checkpoint) : FlatMesh(soup, {}, checkpoint) {}
+  /// The same, where not flat is what lies in a plane, but polygons of one region, and straight where the same regions meet.
+  FlatMesh(SoupView soup, std::span<const std::uint32_t> regions, const Checkpoint& checkpoint);
 
   /// Takes out vertices in flat regions and on straight borders of them, as SimplifiedOccluders says.
   void simplify(const Checkpoint& checkpoint);
@@ -50,6 +52,7 @@ class FlatMesh {
   void join_edge(std::span<const HalfEdge> sides);
   [[nodiscard]] bool is_flat(HalfEdge g, HalfEdge h) const;
   [[nodiscard]] int turn(int axis, Vertex a, Vertex b, Vertex c) const;
+  [[nodiscard]] std::uint32_t region(HalfEdge h) const { return regions_[triangles_[h / 3].polygon]; }
   [[nodiscard]] bool is_between(Vertex a, Vertex v, Vertex b) const;
 
   void put(std::uint32_t t, const FlatTriangle& triangle);
@@ -61,6 +64,7 @@ class FlatMesh {
   void replace(const Fan& fan, std::span<const FaceTriangle> triangles);
 
   std::span<const glm::dvec3> vertices_;
+  std::span<const std::uint32_t> regions_;  ///< of polygons; empty: planes decide
   std::vector<FlatTriangle> triangles_;
   std::vector<HalfEdge> twins_;                 ///< the other half of a joined edge; else kNone
   std::vector<std::vector<std::uint32_t>> at_;  ///< of each vertex, its triangles, and perhaps such as were

@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "base/for_ranges.h"
@@ -13,6 +14,8 @@
 #include "model/adjacency.h"
 #include "model/legal_soup.h"
 #include "simplify/flat_mesh.h"
+#include "simplify/inset_parts.h"
+#include "simplify/shares_of_hiding.h"
 
 namespace occlude::culler {
 namespace {
@@ -21,15 +24,68 @@ namespace {
 struct Offer {
   std::array<glm::dvec3, 3> corners;
   OccluderOrigin origin;
+  double share = 0;  ///< of what is hidden in the views
   double size = 0;
 };
 
-double size_of(const std::array<glm::dvec3, 3>& corners, std::span<const glm::dvec3> eyes) {
+/// How large it looks from the eyes of the views, all together; its area if there are none.
+double size_of(const std::array<glm::dvec3, 3>& corners, std::span<const Camera> views) {
   const auto& [a, b, c] = corners;
-  if (eyes.empty()) return glm::length(glm::cross(b - a, c - a));
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  if (views.empty()) return glm::length(normal);
   double sum = 0;
-  for (const glm::dvec3& eye : eyes) sum += std::fabs(solid_angle(a - eye, b - eye, c - eye));
+  for (const Camera& view : views) {
+    const glm::dvec3& eye = view.eye;
+    sum += std::fabs(view.projection == Projection::perspective ? solid_angle(a - eye, b - eye, c - eye)
+                                                                : glm::dot(normal, glm::normalize(view.target - eye)));
+  }
   return sum;
+}
+
+void require_sound(std::span<const Camera> views) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (const std::string reason = fault(views[i]); !reason.empty())
+      throw std::invalid_argument("view " + std::to_string(i) + ": " + reason);
+  }
+}
+
+PolygonSoup soup_of(std::span<const Offer> offers) {
+  PolygonSoup soup;
+  for (const Offer& offer : offers) {
+    std::array<std::uint32_t, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = soup.add_vertex(offer.corners[i]);
+    soup.add_polygon(corners);
+  }
+  return soup;
+}
+
+void measure(std::vector<Offer>& offers, std::span<const Camera> views, const Checkpoint& checkpoint) {
+  const std::vector<double> shares = shares_of_hiding(soup_of(offers), views, checkpoint);
+  const auto measure_some = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      offers[i].share = shares[i];
+      offers[i].size = size_of(offers[i].corners, views);
+    }
+  };
+  for_ranges(offers.size(), measure_some, checkpoint);
+}
+
+/// The flat triangles, but for parts that do with others inside of them.
+void add_surfaces(SoupView soup, std::span<const FlatTriangle> flat, double inset, const Checkpoint& checkpoint,
+                  std::vector<Offer>& offers) {
+  std::vector<std::size_t> needed(soup.size());
+  for (const FlatTriangle& triangle : flat) ++needed[triangle.polygon];
+  if (inset > 0) {
+    for (const InsetPart& part : inset_parts(soup, inset, needed, checkpoint)) {
+      for (const std::uint32_t p : part.polygons) needed[p] = 0;
+      for (const auto& corners : part.triangles)
+        offers.push_back({corners, {.polygon = part.polygons[0], .is_inside = true}});
+    }
+  }
+  for (const FlatTriangle& triangle : flat) {
+    const auto at = [&](std::size_t i) { return soup.vertices[triangle.corners[i]]; };
+    if (needed[triangle.polygon] > 0) offers.push_back({{at(0), at(1), at(2)}, {.polygon = triangle.polygon}});
+  }
 }
 
 void add_boxes(std::span<const InnerBox> boxes, std::vector<Offer>& offers) {
@@ -39,8 +95,8 @@ void add_boxes(std::span<const InnerBox> boxes, std::vector<Offer>& offers) {
     const auto loop = faces.loop(face);
     const auto box = static_cast<std::uint32_t>(face / of_box);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      offers.push_back(
-          {{faces.vertices[loop[0]], faces.vertices[loop[i]], faces.vertices[loop[i + 1]]}, {boxes[box].polygon, box}});
+      offers.push_back({{faces.vertices[loop[0]], faces.vertices[loop[i]], faces.vertices[loop[i + 1]]},
+                        {boxes[box].polygon, box, true}});
     }
   }
 }
@@ -78,6 +134,7 @@ void keep_used(std::span<const InnerBox> boxes, SimplifiedOccluders& result) {
 
 SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& options, const Checkpoint& checkpoint) {
   require_legal(soup);
+  require_sound(options.views);
   FlatMesh mesh(soup, checkpoint);
   SimplifiedOccluders result;
   result.drawn_triangles = mesh.size();
@@ -85,18 +142,12 @@ SimplifiedOccluders simplified_occluders(SoupView soup, const SimplifyOptions& o
   result.flat_triangles = mesh.size();
 
   std::vector<Offer> offers;
-  for (const FlatTriangle& triangle : mesh.triangles()) {
-    const auto at = [&](std::size_t i) { return soup.vertices[triangle.corners[i]]; };
-    offers.push_back({{at(0), at(1), at(2)}, {triangle.polygon, OccluderOrigin::kNoBox}});
-  }
+  add_surfaces(soup, mesh.triangles(), options.inset, checkpoint, offers);
   std::vector<InnerBox> boxes;
   if (options.boxes.boxes > 0) boxes = find_inner_boxes(soup, options.boxes, {}, checkpoint).boxes;
   add_boxes(boxes, offers);
-  const auto measure = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) offers[i].size = size_of(offers[i].corners, options.eyes);
-  };
-  for_ranges(offers.size(), measure, checkpoint);
-  std::ranges::stable_sort(offers, std::ranges::greater(), &Offer::size);
+  measure(offers, options.views, checkpoint);
+  std::ranges::stable_sort(offers, std::ranges::greater(), [](const Offer& o) { return std::pair(o.share, o.size); });
   offers.resize(std::min(offers.size(), options.triangles));
   add_triangles(offers, result, checkpoint);
   keep_used(boxes, result);

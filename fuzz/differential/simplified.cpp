@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -99,10 +100,63 @@ void add_fine_wall(Random& random, PolygonSoup& soup, double scale) {
   }
 }
 
+/// Directions that are perpendicular, up to rounding, and have one length.
+std::array<dvec3, 3> some_turned_axes(Random& random, double length) {
+  const auto [a, b] = some_directions(random);
+  const dvec3 x = glm::normalize(a), z = glm::normalize(glm::cross(a, b));
+  return {length * x, length * glm::cross(z, x), length * z};
+}
+
+/// A solid of a few cells of a lattice that is turned, so that nothing of it need be exactly flat. Some corners lie beside
+/// their places, and some squares may be missing.
+void add_turned_solid(Random& random, PolygonSoup& soup, double scale) {
+  const std::array<dvec3, 3> axes = some_turned_axes(random, scale);
+  const dvec3 begin = scale * lattice_point(random, 3);
+  const int fine = random.integer(1, 4), cells = random.integer(1, 2);
+  const double noise = scale * std::array{0.0, 1e-15, 1e-12, 0.01}[random.index(4)];
+  const bool is_turned_inwards = random.chance(0.2);
+  std::map<std::array<int, 3>, std::uint32_t> corners;
+  std::set<std::array<int, 3>> full;
+  for (int i = 0; i < cells; ++i) full.insert({i, 0, random.integer(0, 1)});
+  const auto corner = [&](const std::array<int, 3>& at) {
+    const auto [found, is_new] = corners.try_emplace(at, 0U);
+    if (is_new) {
+      dvec3 v = begin;
+      for (std::size_t k = 0; k < 3; ++k) v += static_cast<double>(at[k]) / fine * axes[k];
+      if (random.chance(0.5)) v[random.integer(0, 2)] += noise * random.integer(-2, 2);
+      found->second = soup.add_vertex(v);
+    }
+    return found->second;
+  };
+  for (const std::array<int, 3>& cell : full) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int far : {0, 1}) {
+        std::array<int, 3> beyond = cell;
+        beyond[axis] += 2 * far - 1;
+        if (full.contains(beyond)) continue;
+        for (int i = 0; i < fine * fine; ++i) {
+          std::vector<std::uint32_t> loop;
+          for (const auto& [u, v] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+            std::array<int, 3> at{};
+            for (std::size_t k = 0; k < 3; ++k) at[k] = fine * cell[k];
+            at[axis] += fine * far;
+            at[(axis + 1) % 3] += i % fine + u;
+            at[(axis + 2) % 3] += i / fine + v;
+            loop.push_back(corner(at));
+          }
+          if ((far == 0) != is_turned_inwards) std::ranges::reverse(loop);
+          if (!random.chance(0.001)) soup.add_polygon(loop);
+        }
+      }
+    }
+  }
+}
+
 PolygonSoup some_fine_soup(Random& random) {
   PolygonSoup soup;
   const double scale = std::array{1.0, 0.1, 0x1p-40, 3e20}[random.index(4)];
   if (random.chance(0.3)) soup = some_soup(random);
+  if (random.chance(0.2)) add_turned_solid(random, soup, scale);
   for (int walls = random.integer(1, 3); walls > 0; --walls) add_fine_wall(random, soup, scale);
   return soup;
 }
@@ -145,6 +199,7 @@ class SimplifyJudge {
     culler::SimplifyOptions options{.triangles = std::numeric_limits<std::size_t>::max()};
     const bool with_boxes = random_.chance(0.2);
     if (with_boxes) options.boxes = {.boxes = 2, .cells = 6};
+    if (random_.chance(0.3)) options.inset = std::array{1e-12, 1e-6, 0.05, 1e19}[random_.index(4)];
     const SimplifiedOccluders simple = simplified_occluders(soup_, options);
     for (const culler::InnerBox& inner : simple.boxes) {
       const std::string wrong = oracle::refute_inner_box(part_with(soup_, inner.polygon), to_oracle(inner.box));
@@ -155,7 +210,7 @@ class SimplifyJudge {
       const std::string wrong = fault_of(occluders[t], simple, simple.origins[t]);
       if (!wrong.empty()) return "triangle " + std::to_string(t) + ": " + wrong;
     }
-    return with_boxes ? "" : fault_of_what_is_left_out(occluders);
+    return with_boxes || options.inset > 0 ? "" : fault_of_what_is_left_out(occluders);
   }
 
  private:
@@ -164,6 +219,16 @@ class SimplifyJudge {
     if (origin.box != OccluderOrigin::kNoBox) {
       ++report_.tally.relations[1];
       return oracle::refute_half_face(to_oracle(simple.boxes.at(origin.box).box), triangle);
+    }
+    if (origin.is_inside) {
+      ++report_.tally.relations[1];
+      const std::vector<Triangle> part = part_with(soup_, origin.polygon);
+      if (std::string wrong = oracle::refute_inner_triangle(part, triangle); !wrong.empty()) return wrong;
+      ++report_.tally.cases;
+      ++report_.tally.relations[2];
+      Triangle bad = triangle;
+      bad[random_.index(3)] = part[random_.index(part.size())][random_.index(3)];
+      return oracle::refute_inner_triangle(part, bad).empty() ? "a forged one is accepted" : "";
     }
     ++report_.tally.relations[0];
     if (std::string wrong = oracle::refute_on_faces(faces_, triangle); !wrong.empty()) return wrong;

@@ -3,6 +3,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <array>
@@ -82,6 +83,29 @@ std::optional<std::size_t> crossed(std::span<const Triangle> triangles, const Ra
   return count;
 }
 
+/// Whether the point, which is on none of the triangles, is inside.
+std::string refute_inside(std::span<const Triangle> triangles, const RationalVector& point, const std::string& what) {
+  for (int i = 1; i < 100; ++i) {  // some direction misses all edges, unless there are degenerate triangles everywhere
+    const RationalVector direction(Rational(i * i * 7919), Rational(i * 104729 + 31), Rational(1299709 - i * 17));
+    if (const auto count = crossed(triangles, point, direction)) return *count % 2 == 1 ? "" : what + " is outside";
+  }
+  return "no ray misses all edges";
+}
+
+bool has_no_area(const Triangle& t) {
+  return CGAL::cross_product(rational(t[1]) - rational(t[0]), rational(t[2]) - rational(t[0])) == CGAL::NULL_VECTOR;
+}
+
+/// Whether they have a point in common. The first has an area; the second may be a segment or a point.
+bool meet(const Triangle& triangle, const Triangle& other) {
+  using Geometry = CGAL::Simple_cartesian<Rational>;
+  const auto at = [](const Point& p) { return CGAL::ORIGIN + rational(p); };
+  const Geometry::Triangle_3 first(at(triangle[0]), at(triangle[1]), at(triangle[2]));
+  if (!has_no_area(other)) return CGAL::do_intersect(first, Geometry::Triangle_3(at(other[0]), at(other[1]), at(other[2])));
+  const auto [low, high] = std::ranges::minmax(other);  // the ends, in the order of coordinates
+  return low == high ? first.has_on(at(low)) : CGAL::do_intersect(first, Geometry::Segment_3(at(low), at(high)));
+}
+
 }  // namespace
 
 std::string refute_inner_box(std::span<const Triangle> triangles, const Aabb& box) {
@@ -92,12 +116,16 @@ std::string refute_inner_box(std::span<const Triangle> triangles, const Aabb& bo
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (comes_into(triangles[i], box)) return "triangle " + std::to_string(i) + " comes into the box";
   }
-  const RationalVector middle = (rational(box.min) + rational(box.max)) / Rational(2);
-  for (int i = 1; i < 100; ++i) {  // some direction misses all edges, unless there are degenerate triangles everywhere
-    const RationalVector direction(Rational(i * i * 7919), Rational(i * 104729 + 31), Rational(1299709 - i * 17));
-    if (const auto count = crossed(triangles, middle, direction)) return *count % 2 == 1 ? "" : "the box is outside";
+  return refute_inside(triangles, (rational(box.min) + rational(box.max)) / Rational(2), "the box");
+}
+
+std::string refute_inner_triangle(std::span<const Triangle> triangles, const Triangle& triangle) {
+  if (!is_closed(triangles)) return "the surface is not closed";
+  if (has_no_area(triangle)) return "the triangle has no area";
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (meet(triangle, triangles[i])) return "triangle " + std::to_string(i) + " meets it";
   }
-  return "no ray misses all edges";
+  return refute_inside(triangles, rational(triangle[0]), "the triangle");
 }
 
 std::string refute_half_face(const Aabb& box, const Triangle& triangle) {

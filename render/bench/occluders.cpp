@@ -84,13 +84,13 @@ Occluders measure_occluders(const Subject& subject, const Options& options) {
     trials.push_back({.point = {chosen, triangles}, .scene = scene_of(objects, std::move(soup)), .cull_ms = {}});
   };
   add("what is drawn", subject.soup);
-  const std::vector<glm::dvec3> eyes = subject.path.viewpoints();
+  const std::vector<culler::Camera> views = subject.path.views(aspect(options.walk));
   for (const std::size_t boxes : {std::size_t{0}, culler::InnerBoxOptions().boxes}) {
-    const culler::SimplifyOptions all{std::numeric_limits<std::size_t>::max(), eyes, {.boxes = boxes}};
+    const culler::SimplifyOptions all{std::numeric_limits<std::size_t>::max(), views, {.boxes = boxes}};
     const culler::PolygonSoup best = simplified_occluders(subject.soup, all, render::check_interrupt).soup;
     if (boxes == 0) add("its flat regions", best);
     for (const std::size_t triangles : kTriangles) {
-      if (triangles < best.size()) add(boxes == 0 ? "the largest" : "the largest, with boxes", best_of(best, triangles));
+      if (triangles < best.size()) add(boxes == 0 ? "the best" : "the best, with boxes", best_of(best, triangles));
     }
   }
 

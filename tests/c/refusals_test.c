@@ -29,6 +29,15 @@ static void null_pointers(void) {
   CHECK_REFUSED(refused, "data is null", occlude_mesh_create(NULL, &made));
   CHECK_REFUSED(refused, "mesh is null", occlude_mesh_box(NULL, &box));
   CHECK_REFUSED(refused, "box is null", occlude_mesh_box(wall, NULL));
+  occlude_simplified* simplified = NULL;
+  occlude_occluders occluders = OCCLUDE_OCCLUDERS_INIT;
+  CHECK_REFUSED(refused, "simplified is null", occlude_simplified_create(&data, NULL, NULL));
+  CHECK_REFUSED(refused, "data is null", occlude_simplified_create(NULL, NULL, &simplified));
+  CHECK_REFUSED(refused, "simplified is null", occlude_simplified_occluders(NULL, &occluders));
+  CHECK_OK(occlude_simplified_create(&data, NULL, &simplified));
+  CHECK_REFUSED(refused, "occluders is null", occlude_simplified_occluders(simplified, NULL));
+  occlude_simplified_destroy(simplified);
+  occlude_simplified_destroy(NULL);
   occlude_mesh_destroy(NULL);
   occlude_scene_destroy(NULL);
   occlude_view_destroy(NULL);
@@ -277,15 +286,31 @@ static void meshes(void) {
   indices[2] = 2;
   vertices[4] = INFINITY;
   CHECK_REFUSED(refused, "vertex 1: number is not finite", occlude_mesh_create(&data, &mesh));
+  occlude_simplified* simplified = NULL;
+  CHECK_REFUSED(refused, "vertex 1: number is not finite", occlude_simplified_create(&data, NULL, &simplified));
   data.vertices.type = 9;
   CHECK_REFUSED(refused, "number type is 9, which is none of its enumerators", occlude_mesh_create(&data, &mesh));
   data.vertices.type = OCCLUDE_DOUBLE;
   vertices[4] = 0;
+  occlude_simplify_options options = OCCLUDE_SIMPLIFY_OPTIONS_INIT;
+  options.view_count = 2;
+  CHECK_REFUSED(refused, "views is null", occlude_simplified_create(&data, &options, &simplified));
+  occlude_look_at_camera views[] = {OCCLUDE_LOOK_AT_CAMERA_INIT, OCCLUDE_LOOK_AT_CAMERA_INIT};
+  views[1].near_plane = -1;
+  options.views = views;
+  CHECK(occlude_simplified_create(&data, &options, &simplified) == refused && strstr(occlude_last_error(), "view 1: "));
+  views[1].near_plane = 1;
+  views[1].projection = 7;
+  CHECK_REFUSED(refused, "projection is 7, which is none of its enumerators",
+                occlude_simplified_create(&data, &options, &simplified));
   int asked = 0;
   data.should_stop = stop_now;
   data.context = &asked;
   CHECK_REFUSED(OCCLUDE_STOPPED, "stopped by the caller", occlude_mesh_create(&data, &mesh));
   CHECK(asked > 0 && mesh == NULL);
+  asked = 0;
+  CHECK_REFUSED(OCCLUDE_STOPPED, "stopped by the caller", occlude_simplified_create(&data, NULL, &simplified));
+  CHECK(asked > 0 && simplified == NULL);
 }
 
 static void rounding(void) {

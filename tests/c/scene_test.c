@@ -546,6 +546,92 @@ static void matrices_of_cameras(void) {
   CHECK(draws(view, behind));
 }
 
+/// A cube of which each face is divided around its middle.
+static void simplified_occluders(void) {
+  float vertices[14][3] = {{0}};
+  uint32_t indices[72], *next = indices;
+  for (uint32_t i = 0; i < 8; ++i) {
+    for (uint32_t axis = 0; axis < 3; ++axis) vertices[i][axis] = i >> axis & 1 ? 4.0F : 0;
+  }
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    for (uint32_t far = 0; far < 2; ++far) {
+      const uint32_t u = 1U << (axis + 1) % 3, v = 1U << (axis + 2) % 3, at = far << axis, middle = 8 + 2 * axis + far;
+      const uint32_t loop[] = {at, at | u, at | u | v, at | v};
+      for (uint32_t k = 0; k < 3; ++k) vertices[middle][k] = k == axis ? 4 * (float)far : 2;
+      for (uint32_t k = 0; k < 4; ++k) {
+        *next++ = middle;
+        *next++ = loop[far ? k : (k + 1) % 4];
+        *next++ = loop[far ? (k + 1) % 4 : k];
+      }
+    }
+  }
+  occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  data.vertices.data = vertices;
+  data.vertices.count = 14;
+  data.vertices.type = OCCLUDE_FLOAT;
+  data.indices = indices;
+  data.index_count = 72;
+  occlude_simplified* simplified = NULL;
+  occlude_occluders few = OCCLUDE_OCCLUDERS_INIT;
+  CHECK_OK(occlude_simplified_create(&data, NULL, &simplified));
+  CHECK_OK(occlude_simplified_occluders(simplified, &few));
+  CHECK(few.triangle_count == 12 && few.vertices.count == 8 && few.drawn_triangles == 24 && few.flat_triangles == 12);
+  CHECK(few.inner_box_count == 0);
+  for (uint32_t t = 0; t < 12; ++t) CHECK(few.polygons[t] < 24 && few.boxes[t] == 0xffffffffU);
+  // They make a mesh, and are given back as they are.
+  occlude_mesh_data again = OCCLUDE_MESH_DATA_INIT;
+  again.vertices = few.vertices;
+  again.indices = few.indices;
+  again.index_count = 3 * few.triangle_count;
+  occlude_mesh* mesh = NULL;
+  CHECK_OK(occlude_mesh_create(&again, &mesh));
+  CHECK(occlude_mesh_polygons(mesh) == 12);
+  occlude_mesh_destroy(mesh);
+  occlude_simplified_destroy(simplified);
+
+  // Seen from beyond one face, that one hides the others. With boxes there are twice as many.
+  occlude_look_at_camera views[] = {OCCLUDE_LOOK_AT_CAMERA_INIT, OCCLUDE_LOOK_AT_CAMERA_INIT};
+  for (int i = 0; i < 2; ++i) {
+    views[i].eye[0] = 9 + i;
+    views[i].eye[1] = views[i].eye[2] = views[i].target[1] = views[i].target[2] = 2;
+    views[i].target[0] = 0;
+  }
+  occlude_simplify_options options = OCCLUDE_SIMPLIFY_OPTIONS_INIT;
+  options.views = views;
+  options.view_count = 2;
+  options.triangles = 2;
+  CHECK_OK(occlude_simplified_create(&data, &options, &simplified));
+  CHECK_OK(occlude_simplified_occluders(simplified, &few));
+  CHECK(few.triangle_count == 2 && few.vertices.count == 4 && few.polygons[0] / 4 == 1 && few.polygons[1] / 4 == 1);
+  for (size_t i = 0; i < 4; ++i) CHECK(((const double*)few.vertices.data)[3 * i] == 4);
+  occlude_simplified_destroy(simplified);
+  options.triangles = 100;
+  options.boxes = 1;
+  options.cells = 4;
+  CHECK_OK(occlude_simplified_create(&data, &options, &simplified));
+  CHECK_OK(occlude_simplified_occluders(simplified, &few));
+  CHECK(few.triangle_count == 24 && few.inner_box_count == 1 && few.inner_boxes[0].max[0] == 4);
+  size_t of_box = 0;
+  for (size_t t = 0; t < 24; ++t) of_box += few.boxes[t] == 0 ? 1 : 0;
+  CHECK(of_box == 12);
+  occlude_simplified_destroy(simplified);
+  // A little bent, it is flat inside.
+  vertices[13][0] = 2.001F;
+  options.boxes = 0;
+  CHECK_OK(occlude_simplified_create(&data, &options, &simplified));
+  CHECK_OK(occlude_simplified_occluders(simplified, &few));
+  CHECK(few.triangle_count == 14);
+  for (uint32_t i = 8; i < 14; ++i) {
+    for (uint32_t k = 0; k < 3; ++k) vertices[i][k] += i % 2 ? 0.0001F : -0.0001F;
+  }
+  occlude_simplified_destroy(simplified);
+  options.inset = 0.01;
+  CHECK_OK(occlude_simplified_create(&data, &options, &simplified));
+  CHECK_OK(occlude_simplified_occluders(simplified, &few));
+  CHECK(few.triangle_count == 12);
+  occlude_simplified_destroy(simplified);
+}
+
 int main(void) {
   CHECK(occlude_version() == OCCLUDE_VERSION);
   run_test(objects_come_and_go);
@@ -556,5 +642,6 @@ int main(void) {
   run_test(matrix_cameras);
   run_test(matrices_of_cameras);
   run_test(order);
+  run_test(simplified_occluders);
   return end_of_test();
 }

@@ -75,6 +75,14 @@ static occlude_status make_mesh(const void* data) {
   return status;
 }
 
+static occlude_status simplify(const void* options) {
+  const occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  occlude_simplified* simplified = NULL;
+  const occlude_status status = occlude_simplified_create(&data, options, &simplified);
+  occlude_simplified_destroy(simplified);
+  return status;
+}
+
 static occlude_status go_ahead(const void* options) {
   occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
   const double velocity[3] = {1, 0, 0};
@@ -106,6 +114,15 @@ static void outputs(void) {
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "frame is of a newer version than the library", occlude_view_frame(view, &frame));
   frame.size = 3;
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "frame: its size is 3, which is of no version", occlude_view_frame(view, &frame));
+  const occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  occlude_simplified* simplified = NULL;
+  CHECK_OK(occlude_simplified_create(&data, NULL, &simplified));
+  occlude_occluders occluders = OCCLUDE_OCCLUDERS_INIT;
+  occluders.size = offsetof(occlude_occluders, flat_triangles);
+  occluders.drawn_triangles = occluders.flat_triangles = 77;
+  CHECK_OK(occlude_simplified_occluders(simplified, &occluders));
+  CHECK(occluders.drawn_triangles == 0 && occluders.flat_triangles == 77);
+  occlude_simplified_destroy(simplified);
   occlude_held_cull* held = NULL;
   CHECK_OK(occlude_held_cull_create(scene, NULL, &held));
   occlude_held_counts counts = OCCLUDE_HELD_COUNTS_INIT;
@@ -155,6 +172,7 @@ static void sizes(void) {
   const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
   const occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
   const occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  const occlude_simplify_options simple = OCCLUDE_SIMPLIFY_OPTIONS_INIT;
   const occlude_ahead_options ahead = OCCLUDE_AHEAD_OPTIONS_INIT;
   const occlude_held_options held = OCCLUDE_HELD_OPTIONS_INIT;
   every_length(&object, sizeof object, add_object);
@@ -163,6 +181,7 @@ static void sizes(void) {
   every_length(&camera, sizeof camera, cull_by_camera);
   every_length(&options, sizeof options, cull_by_options);
   every_length(&data, sizeof data, make_mesh);
+  every_length(&simple, sizeof simple, simplify);
   every_length(&ahead, sizeof ahead, go_ahead);
   every_length(&held, sizeof held, hold);
   CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &options, view));

@@ -117,6 +117,16 @@ grep -q '"drawn_triangles": 2,' stdout && grep -q '"triangles": 2,' stdout || fa
 grep -q '"triangles": 6,' stdout && grep -q '"boxes": 1,' stdout || fail "--with-boxes: $(cat stdout)"
 "$occlude" preprocess slanting.ply --occluders near.ply --triangles 1 --path path.json >stdout || fail "--path: $(cat stdout)"
 grep -q '; 1 chosen' stdout || fail "--path: $(cat stdout)"
+# A cube whose faces are bent by a millimetre in their middles is as few triangles as a flat one within a centimetre.
+ply bent.ply 14 24 '0 0 0\n4 0 0\n0 4 0\n4 4 0\n0 0 4\n4 0 4\n0 4 4\n4 4 4\n.001 2 2\n4.001 2 2\n2 .001 2\n2 4.001 2\n2 2 .001\n2 2 4.001\n'
+for face in '8 0 4 6 2' '9 1 3 7 5' '10 0 1 5 4' '11 2 6 7 3' '12 0 2 3 1' '13 4 5 7 6'; do
+  echo "$face" | awk '{ for (i = 2; i <= 5; ++i) print 3, $1, $i, $(i < 5 ? i + 1 : 2) }'
+done >>bent.ply
+"$occlude" preprocess bent.ply --occluders few.ply --json >stdout || fail "bent: $(cat stdout)"
+grep -q '"triangles": 24,' stdout || fail "bent: $(cat stdout)"
+"$occlude" preprocess bent.ply --occluders few.ply --inset 0.01 --json >stdout || fail "--inset: $(cat stdout)"
+grep -q '"triangles": 12,' stdout || fail "--inset: $(cat stdout)"
+expect_error "--inset" "$occlude" preprocess bent.ply --occluders out.ply --inset -1
 expect_error "--occluders" "$occlude" preprocess solids.ply --out out.pre --triangles 8
 expect_error "--triangles" "$occlude" preprocess solids.ply --occluders out.ply --triangles 0
 expect_error "out.ply" "$occlude" preprocess solids.ply --inner-boxes out.ply --occluders ./out.ply

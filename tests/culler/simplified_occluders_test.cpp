@@ -244,9 +244,72 @@ TEST(SimplifiedOccluders, BestFirst) {
   }
   // From an eye close to one of them that one is the first, and one of which no side is seen is the last.
   for (std::uint32_t i = 0; i < 20; ++i) {
-    const dvec3 eye = soup.vertices[3 * i] + dvec3(0.1, 0.1, 0);
-    EXPECT_EQ(simplified_occluders(soup, {.triangles = 1, .eyes = std::span(&eye, 1)}).origins[0].polygon, i);
+    Camera view;
+    view.eye = soup.vertices[3 * i] + dvec3(0.1, 0.1, 0);
+    view.target = view.eye + dvec3(0, 1, 0);
+    EXPECT_EQ(simplified_occluders(soup, {.triangles = 1, .views = std::span(&view, 1)}).origins[0].polygon, i);
   }
+}
+
+/// Of walls one behind the other the first is chosen, though those behind it look larger together. Where nothing is hidden,
+/// what looks largest is.
+TEST(SimplifiedOccluders, WhatHidesComesFirst) {
+  PolygonSoup soup;
+  const auto add_wall = [&](double x, double size) { add(soup, {{x, -size, -size}, {x, size, -size}, {x, 0, size}}); };
+  for (int i = 0; i < 20; ++i) add_wall(30 + 10 * i, 5);
+  add_wall(-9, 9);
+  add_wall(20, 18);
+  Camera view;
+  const auto first = [&] { return simplified_occluders(soup, {.triangles = 1, .views = std::span(&view, 1)}).origins[0]; };
+  EXPECT_EQ(first().polygon, 21U);
+  view.target = {-1, 0, 0};
+  EXPECT_EQ(first().polygon, 20U);
+  view.projection = Projection::orthographic;
+  view.eye.x = -50;
+  EXPECT_EQ(first().polygon, 21U);
+}
+
+/// The same, turned about all axes: its places are rounded, and nothing of it is exactly flat.
+PolygonSoup turned(PolygonSoup soup) {
+  for (dvec3& v : soup.vertices) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double &x = v[axis], &y = v[(axis + 1) % 3];
+      const double turned_x = std::cos(0.5) * x - std::sin(0.5) * y;
+      y = std::sin(0.5) * x + std::cos(0.5) * y;
+      x = turned_x;
+    }
+  }
+  return soup;
+}
+
+bool has_inner(SoupView soup, double inset) {
+  const SimplifiedOccluders simple = simplified_occluders(soup, {.inset = inset});
+  return std::ranges::any_of(simple.origins, &OccluderOrigin::is_inside);
+}
+
+TEST(SimplifiedOccluders, NearlyFlatRegionsOfClosedPartsAreMergedInside) {
+  const PolygonSoup box = turned(fine_box(40, {10.1, 7.3, 5.7}));
+  EXPECT_GT(size_of(box), 1000U);
+  const SimplifiedOccluders simple = simplified_occluders(box, {.inset = 1e-9});
+  ASSERT_EQ(simple.soup.size(), 12U);
+  EXPECT_EQ(simple.soup.vertices.size(), 8U);
+  EXPECT_TRUE(is_all_closed(simple.soup));
+  EXPECT_NEAR(area(simple.soup), area(box), 1e-8);
+  for (const OccluderOrigin& origin : simple.origins) EXPECT_EQ(origin, (OccluderOrigin{.polygon = 0, .is_inside = true}));
+  const PolygonSoup flat = fine_box(40, {8, 4, 2});
+  EXPECT_FALSE(has_inner(flat, 1e-9)) << "there are as few on it";
+}
+
+TEST(SimplifiedOccluders, WhatIsNotProvenInsideStaysAsItIs) {
+  const PolygonSoup box = turned(fine_box(8, {10.1, 7.3, 5.7}));
+  ASSERT_TRUE(has_inner(box, 1e-9));
+  PolygonSoup open = box;
+  open.indices.erase(open.indices.begin(), open.indices.begin() + 3);
+  open.first.pop_back();
+  EXPECT_FALSE(has_inner(open, 1e-9)) << "it has a hole";
+  PolygonSoup inwards = box;
+  for (std::size_t p = 0; p < inwards.size(); ++p) std::swap(inwards.indices[3 * p], inwards.indices[3 * p + 1]);
+  EXPECT_FALSE(has_inner(inwards, 1e-9)) << "behind it is outside";
 }
 
 TEST(SimplifiedOccluders, BoxesStandBesideWhatTheyAreIn) {
@@ -264,7 +327,7 @@ TEST(SimplifiedOccluders, BoxesStandBesideWhatTheyAreIn) {
     const OccluderOrigin& origin = simple.origins[t];
     if (origin.box == OccluderOrigin::kNoBox) continue;
     ++of_boxes;
-    EXPECT_EQ(origin, (OccluderOrigin{6, 0}));
+    EXPECT_EQ(origin, (OccluderOrigin{6, 0, true}));
   }
   EXPECT_GE(of_boxes, 1U);
 }
@@ -369,6 +432,9 @@ TEST(SimplifiedOccluders, RefuseWhatIsNotLegalAndStopWhenAsked) {
   soup.vertices[4].x = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)simplified_occluders(soup), std::invalid_argument);
   soup.vertices[4].x = 0;
+  std::array<Camera, 2> views;
+  views[1].target = views[1].eye;
+  EXPECT_THROW((void)simplified_occluders(soup, {.views = views}), std::invalid_argument);
   soup.indices[0] = 12345;
   EXPECT_THROW((void)simplified_occluders(soup), std::invalid_argument);
 }

@@ -46,6 +46,28 @@ TEST(InnerBox, SegmentsCountToo) {
   EXPECT_EQ(refute_inner_box(solid, {{1, 2, 1}, {2, 3, 2}}), "");
 }
 
+TEST(InnerTriangle, InATetrahedron) {
+  std::vector<Triangle> solid = tetrahedron(4);
+  const Triangle in{Point{1, 1, 0.5}, Point{0.5, 1, 1}, Point{1, 0.5, 1}};
+  EXPECT_EQ(refute_inner_triangle(solid, in), "");
+  EXPECT_EQ(refute_inner_triangle(solid, {Point{1, 1, 0}, in[1], in[2]}), "triangle 0 meets it") << "a corner on a face";
+  EXPECT_EQ(refute_inner_triangle(solid, {Point{1, 1, above(0)}, in[1], in[2]}), "");
+  EXPECT_EQ(refute_inner_triangle(solid, {Point{9, 9, 9}, in[1], in[2]}), "triangle 3 meets it");
+  EXPECT_EQ(refute_inner_triangle(solid, {Point{9, 1, 1}, Point{9, 2, 1}, Point{9, 1, 2}}), "the triangle is outside");
+  EXPECT_EQ(refute_inner_triangle(solid, {in[0], in[1], in[1]}), "the triangle has no area");
+  const Triangle around{Point{-20, -20, 1}, Point{40, -20, 1}, Point{-20, 40, 1}};
+  EXPECT_EQ(refute_inner_triangle(solid, around), "triangle 1 meets it") << "its border is outside";
+  for (const Point& end : {Point{0.75, 1, 0.75}, Point{0.5, 1, 1}}) {
+    solid.push_back({Point{0.5, 1, 0.5}, end, Point{0.5, 1, 0.5}});
+    EXPECT_EQ(refute_inner_triangle(solid, in), "triangle 4 meets it") << "a segment";
+    solid.back() = {end, end, end};
+    EXPECT_EQ(refute_inner_triangle(solid, in), "triangle 4 meets it") << "a point";
+    solid.pop_back();
+  }
+  solid.pop_back();
+  EXPECT_EQ(refute_inner_triangle(solid, in), "the surface is not closed");
+}
+
 TEST(HalfFace, OfABox) {
   const Aabb box{{0, 0, 0}, {1, 2, 3}};
   EXPECT_EQ(refute_half_face(box, {Point{1, 0, 0}, Point{1, 2, 0}, Point{1, 2, 3}}), "");

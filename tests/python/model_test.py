@@ -57,6 +57,58 @@ class Faces(unittest.TestCase):
             occlude.OccluderMesh(vertices, [[0, 1, 2, 3]], see_through=[True, False])
 
 
+class Simplified(unittest.TestCase):
+    # A cube of which each face is 4 x 4 squares, turned outwards.
+    @staticmethod
+    def fine_cube():
+        vertices, polygons = [], []
+        for axis in range(3):
+            for far in (False, True):
+                for i, k in np.ndindex(4, 4):
+                    corners = np.zeros((4, 3))
+                    corners[:, axis] = 4 * far
+                    corners[:, (axis + 1) % 3] = [i, i + 1, i + 1, i]
+                    corners[:, (axis + 2) % 3] = [k, k, k + 1, k + 1]
+                    vertices.append(corners if far else corners[::-1])
+                    polygons.append(np.arange(4) + 4 * len(polygons))
+        return np.concatenate(vertices), np.array(polygons)
+
+    def test_few_triangles_hide_for_a_mesh(self):
+        vertices, polygons = self.fine_cube()
+        simple = occlude.simplified_occluders(vertices, polygons)
+        self.assertEqual((len(simple), simple.drawn_triangles, simple.flat_triangles), (12, 192, 12))
+        self.assertEqual(repr(simple), "<occlude.SimplifiedOccluders: 12 triangles>")
+        a, b, c = np.moveaxis(simple.vertices[simple.triangles], 1, 0)
+        normals = np.cross(b - a, c - a) / 2
+        self.assertEqual(np.abs(normals).sum(), 6 * 16)
+        self.assertTrue(((a - 2) * normals).sum(1).min() > 0, "they turn as the cube does")
+        faces = vertices[polygons[simple.polygons]]
+        self.assertTrue((np.einsum("ij,ikj->ik", normals, faces - a[:, None]) == 0).all(), "each is in its polygon's plane")
+        self.assertTrue((simple.box == -1).all() and simple.boxes.shape == (0, 6))
+        mesh = occlude.OccluderMesh(simple.vertices, simple.triangles)
+        self.assertEqual(len(mesh), 12)
+
+    def test_what_is_chosen(self):
+        vertices, polygons = self.fine_cube()
+        near = occlude.simplified_occluders(vertices, polygons, triangles=2, views=[occlude.Camera([9, 2, 2], [0, 2, 2]), occlude.Camera([8, 2, 1], [0, 2, 2])])
+        self.assertTrue((near.vertices[near.triangles.ravel(), 0] == 4).all(), "the face that is turned to the eyes")
+        clear = occlude.simplified_occluders(vertices, polygons, see_through=np.ones(96, bool))
+        self.assertEqual(len(clear), 0)
+        sized = occlude.simplified_occluders(vertices, polygons.ravel(), [4] * 96)
+        self.assertEqual(len(sized), 12)
+        boxes = occlude.simplified_occluders(vertices, polygons, boxes=1, cells=4)
+        self.assertEqual(sorted(boxes.box), [-1] * 12 + [0] * 12)
+        turned = vertices @ np.array([[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, 0.28, 0.96], [0, -0.96, 0.28]])
+        self.assertGreater(len(occlude.simplified_occluders(turned, polygons)), 12)
+        self.assertEqual(len(occlude.simplified_occluders(turned, polygons, inset=1e-9)), 12)
+        self.assertEqual(boxes.boxes.tolist(), [[0, 0, 0, 4, 4, 4]])
+
+    def test_refusals(self):
+        vertices, _ = self.fine_cube()
+        with self.assertRaisesRegex(ValueError, "vertex 99 of 8"):
+            occlude.simplified_occluders(vertices[:8], [[0, 1, 99]])
+
+
 class Models(unittest.TestCase):
     def test_materials_of_another_model_are_refused(self):
         triangles = np.arange(18.0).reshape(6, 3) ** 2

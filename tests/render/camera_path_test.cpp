@@ -95,12 +95,12 @@ TEST_F(CameraPathTest, LinearFramesLieOnTheKeyframes) {
 
 TEST_F(CameraPathTest, ViewpointsAreThoseOfSomeFrames) {
   CameraPath path = read(good().dump());
-  ASSERT_EQ(path.viewpoints().size(), path.frames);
-  EXPECT_EQ(path.viewpoints()[1], path.camera(1, 1).eye);
+  ASSERT_EQ(path.views(1.5).size(), path.frames);
+  EXPECT_EQ(path.views(1.5)[1], path.camera(1, 1.5));
   path.frames = 1'000'000;
-  ASSERT_EQ(path.viewpoints().size(), 100U);
-  EXPECT_EQ(path.viewpoints().front(), path.keyframes.front().eye);
-  EXPECT_EQ(path.viewpoints().back(), path.keyframes.back().eye);
+  ASSERT_EQ(path.views(1).size(), 100U);
+  EXPECT_EQ(path.views(1).front().eye, path.keyframes.front().eye);
+  EXPECT_EQ(path.views(1).back().eye, path.keyframes.back().eye);
 }
 
 TEST_F(CameraPathTest, KeyframesAreHitExactlyWhateverTheirNumbers) {

@@ -424,6 +424,59 @@ OCCLUDE_API occlude_status occlude_ahead_look_at(const occlude_look_at_camera* c
                                                  double seconds, const occlude_ahead_options* options,
                                                  occlude_look_at_camera* ahead) OCCLUDE_NO_THROW;
 
+// ---- Simplified occluders: few triangles that hide for a mesh ----
+
+typedef struct occlude_simplify_options {
+  size_t size;       ///< of this struct
+  size_t triangles;  ///< at most
+  /// What the camera will see: those are chosen that hide most of the mesh in these views, all together, and then those that
+  /// look largest from there. Null without any: those with the largest area.
+  const occlude_look_at_camera* views;
+  size_t view_count;
+  /// Faces of inner boxes are chosen from, too, so many boxes of each closed part at most. They hide for eyes alone that are
+  /// never inside of a closed part (occlude/culler/inner_boxes.h); all else hides for every eye.
+  size_t boxes;
+  size_t
+      cells;  ///< along each axis of a part, of the grid in which boxes are looked for: 3 to 64, else the nearest of these
+  /// By how much regions of closed parts may differ from flat ones and be merged still, inside of the part. 0: only what is
+  /// exactly flat is merged. Otherwise they hide as boxes do.
+  double inset;
+} occlude_simplify_options;
+
+#define OCCLUDE_SIMPLIFY_OPTIONS_INIT \
+  { sizeof(occlude_simplify_options), 10000, NULL, 0, 0, 16, 0 }
+
+/// Triangles that lie exactly on opaque polygons of a mesh and turn as they do, or are halves of faces of its inner boxes.
+/// occlude/culler/simplified_occluders.h says why nothing is hidden wrongly.
+typedef struct occlude_simplified occlude_simplified;
+
+/// Makes them of what a mesh would be made of: occlude_mesh_data.executor and should_stop are used likewise.
+OCCLUDE_API occlude_status occlude_simplified_create(const occlude_mesh_data* data, const occlude_simplify_options* options,
+                                                     occlude_simplified** simplified) OCCLUDE_NO_THROW;
+/// Null is nothing.
+OCCLUDE_API void occlude_simplified_destroy(occlude_simplified* simplified) OCCLUDE_NO_THROW;
+
+/// The best come first. The arrays belong to the occlude_simplified. Vertices and indices, or the first of them, are what
+/// occlude_mesh_data has.
+typedef struct occlude_occluders {
+  size_t size;  ///< of this struct
+  occlude_points vertices;
+  const uint32_t* indices;   ///< three for each triangle
+  const uint32_t* polygons;  ///< on which each lies, one of those; or the first of the part in which its box lies
+  const uint32_t* boxes;     ///< the number of the inner box of which each is half a face; 0xffffffff: none
+  size_t triangle_count;
+  const occlude_box* inner_boxes;  ///< of which at least half a face is there
+  size_t inner_box_count;
+  size_t drawn_triangles;  ///< of the mesh: opaque, with three corners, not repeated
+  size_t flat_triangles;   ///< that do for all of them
+} occlude_occluders;
+
+#define OCCLUDE_OCCLUDERS_INIT \
+  { sizeof(occlude_occluders), {NULL, 0, 0, OCCLUDE_DOUBLE}, NULL, NULL, NULL, 0, NULL, 0, 0, 0 }
+
+OCCLUDE_API occlude_status occlude_simplified_occluders(const occlude_simplified* simplified,
+                                                        occlude_occluders* occluders) OCCLUDE_NO_THROW;
+
 // ---- Frames ----
 
 /// occlude_cull_options.margin for a picture of so many rows of pixels, drawn by a rasteriser with a grid of 1/256 pixel.

@@ -18,6 +18,8 @@
 
 OCCLUDE_LAST_MEMBER(occlude_executor, context);
 OCCLUDE_LAST_MEMBER(occlude_mesh_data, see_through);
+OCCLUDE_LAST_MEMBER(occlude_simplify_options, inset);
+OCCLUDE_LAST_MEMBER(occlude_occluders, flat_triangles);
 OCCLUDE_LAST_MEMBER(occlude_object_options, reserved);
 OCCLUDE_LAST_MEMBER(occlude_occluder_options, object);
 OCCLUDE_LAST_MEMBER(occlude_matrix_camera, eyes);

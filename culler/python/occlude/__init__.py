@@ -23,11 +23,13 @@ from ._occlude import (
     Scene,
     SceneFrame,
     ShadowFrustum,
+    SimplifiedOccluders,
     View,
     __version__,
     ahead,
     is_fan,
     margin_for,
+    simplified_occluders,
     triangulate,
 )
 
@@ -51,6 +53,7 @@ __all__ = [
     "Scene",
     "SceneFrame",
     "ShadowFrustum",
+    "SimplifiedOccluders",
     "Stage",
     "View",
     "Visibility",
@@ -58,6 +61,7 @@ __all__ = [
     "ahead",
     "is_fan",
     "margin_for",
+    "simplified_occluders",
     "slot",
     "triangulate",
 ]

@@ -11,5 +11,6 @@ PYBIND11_MODULE(_occlude, module) {
   define_models(module);
   define_held_culls(module);
   define_faces(module);
+  define_simplified(module);
   define_kernel(module);
 }

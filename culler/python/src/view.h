@@ -55,6 +55,7 @@ void define_scenes(py::module_& module);
 void define_models(py::module_& module);
 void define_held_culls(py::module_& module);
 void define_faces(py::module_& module);
+void define_simplified(py::module_& module);
 void define_kernel(py::module_& module);
 
 }  // namespace occlude::python

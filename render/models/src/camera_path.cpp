@@ -77,13 +77,13 @@ culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
   return camera;
 }
 
-std::vector<glm::dvec3> CameraPath::viewpoints() const {
+std::vector<culler::Camera> CameraPath::views(double aspect) const {
   constexpr std::size_t kMost = 100;
-  std::vector<glm::dvec3> points;
+  std::vector<culler::Camera> cameras;
   for (std::size_t i = 0, count = std::min(kMost, frames); i < count; ++i) {
-    points.push_back(camera(i * (frames - 1) / (count - 1), 1).eye);
+    cameras.push_back(camera(i * (frames - 1) / (count - 1), aspect));
   }
-  return points;
+  return cameras;
 }
 
 std::optional<PathFault> fault_of(const CameraPath& path) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a box lies inside of a closed surface, and whether a triangle is half a face of a box.
+// Whether a box or a triangle lies inside of a closed surface, and whether a triangle is half a face of a box.
 #pragma once
 
 #include <span>
@@ -14,6 +14,10 @@ namespace occlude::oracle {
 /// crosses an odd number of them. So the box lies inside of the surface. Returns an empty string when all of this holds,
 /// else what failed. REQUIRES: finite numbers.
 [[nodiscard]] std::string refute_inner_box(std::span<const Triangle> triangles, const Aabb& box);
+
+/// Proves, likewise, that the triangles are closed, that none of them has a point in common with this one, borders included,
+/// and that a corner of this one is inside. REQUIRES: finite numbers.
+[[nodiscard]] std::string refute_inner_triangle(std::span<const Triangle> triangles, const Triangle& triangle);
 
 /// Proves that the triangle is half a face of the box: its corners are three of the box's, on one face, counter-clockwise
 /// seen from outside. Returns an empty string, else what failed. REQUIRES: finite numbers.

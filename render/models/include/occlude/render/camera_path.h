@@ -39,8 +39,8 @@ struct CameraPath {
   /// are equally spaced in time. `linear` joins them by straight lines, `smooth` by a Catmull-Rom spline. What rounding
   /// leaves of a coordinate that is zero is 0.
   [[nodiscard]] culler::Camera camera(std::size_t frame, double aspect) const;
-  /// Where its frames are looked from: all of them or, if they are more than a hundred, so many, from the first to the last.
-  [[nodiscard]] std::vector<glm::dvec3> viewpoints() const;
+  /// The cameras of its frames: all of them or, if they are more than a hundred, so many, from the first to the last.
+  [[nodiscard]] std::vector<culler::Camera> views(double aspect) const;
 };
 
 /// The order in which a matrix is written: row by row, or column by column.
