@@ -54,7 +54,7 @@ class CoverBuffer {
   /// From now on, keeps what each mesh brings nearer. REQUIRES: the picture is of one eye.
   void keep_closings();
   /// In the order in which it was added.
-  [[nodiscard]] std::span<const Closing> closings() const { return closings_; }
+  [[nodiscard]] std::span<Closing> closings() { return closings_; }
 
   /// Closes the pixels that the mesh closes as far as it is beyond the near plane. `id` identifies it in owners(). Layers
   /// that are much farther than the mesh are left to join_layers().

@@ -42,17 +42,16 @@ void HidingMeshes::hide(const PixelRectangle& pixels) {
 }
 
 /// From the last to the first, so that each pixel goes to the mesh that brought it nearer last.
-void HidingMeshes::find(std::span<const CoverBuffer::Closing> closings) {
-  closings_.clear();
-  closings_.reserve(closings.size());
-  for (std::size_t i = closings.size(); i-- > 0;) {
-    CoverBuffer::Closing closing = closings[i];
-    std::uint64_t& hidden = hidden_[closing.tile];
-    closing.pixels &= hidden;
-    hidden &= ~closing.pixels;
-    if (closing.pixels != 0) closings_.push_back(closing);
+void HidingMeshes::find(std::span<CoverBuffer::Closing> closings) {
+  auto first = closings.end();
+  for (auto closing = closings.end(); closing != closings.begin();) {
+    --closing;
+    std::uint64_t& hidden = hidden_[closing->tile];
+    closing->pixels &= hidden;
+    hidden &= ~closing->pixels;
+    if (closing->pixels != 0) *--first = *closing;
   }
-  std::ranges::reverse(closings_);
+  closings_ = {first, closings.end()};
 }
 
 std::span<const CoverBuffer::Closing> HidingMeshes::of(std::uint32_t id) const {

@@ -19,8 +19,8 @@ class HidingMeshes {
   void begin(const CoverBuffer& buffer);
   /// Something is hidden that touches these pixels. May be called by several threads at once.
   void hide(const PixelRectangle& pixels);
-  /// Once all that is hidden was told: by these.
-  void find(std::span<const CoverBuffer::Closing> closings);
+  /// Once all that is hidden was told: by these. They outlive this, and keep only pixels in which something is hidden.
+  void find(std::span<CoverBuffer::Closing> closings);
   /// Whether the mesh hid something in one of these pixels. REQUIRES: find(); ids of meshes ascend in the order in which
   /// they were drawn.
   [[nodiscard]] bool has_hidden(std::uint32_t id, const PixelRectangle& pixels) const;
@@ -30,8 +30,8 @@ class HidingMeshes {
   [[nodiscard]] std::span<const CoverBuffer::Closing> of(std::uint32_t id) const;
 
   int tiles_across_ = 0, tiles_up_ = 0;
-  std::vector<std::uint64_t> hidden_;           ///< of each tile, the pixels in which something is hidden
-  std::vector<CoverBuffer::Closing> closings_;  ///< in which something is hidden, in order
+  std::vector<std::uint64_t> hidden_;                ///< of each tile, the pixels in which something is hidden
+  std::span<const CoverBuffer::Closing> closings_;  ///< in which something is hidden, in order
 };
 
 }  // namespace occlude::culler

@@ -28,7 +28,7 @@ void IdleNodes::begin_next(WorthOfHiding::Frame kind, std::size_t nodes, CullRes
   hiding_leaves_.reserve(most);
 }
 
-void IdleNodes::find(const Hierarchy& hierarchy, const CoverBuffer& buffer, std::span<const SeenLeaf> seen,
+void IdleNodes::find(const Hierarchy& hierarchy, CoverBuffer& buffer, std::span<const SeenLeaf> seen,
                      const CullResult& frame) {
   hiding_.begin(buffer);
   hide(hierarchy, buffer, frame.culled);

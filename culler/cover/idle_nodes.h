@@ -35,7 +35,7 @@ class IdleNodes {
     if (is_looking_) entered_.push_back(node);
   }
   /// Finds what is idle, after a frame that was looking.
-  void find(const Hierarchy& hierarchy, const CoverBuffer& buffer, std::span<const SeenLeaf> seen, const CullResult& frame);
+  void find(const Hierarchy& hierarchy, CoverBuffer& buffer, std::span<const SeenLeaf> seen, const CullResult& frame);
 
  private:
   void hide(const Hierarchy& hierarchy, const CoverBuffer& buffer, std::span<const Culled> culled);

@@ -107,7 +107,7 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     }
     cull_by_cover(hierarchy_, tree, triangles, limited, memory.frame, memory.cover, memory.leaves, memory.idle);
     const CullStats& stats = memory.frame.result.stats;
-    if (is_adaptive) memory.worth.learn(stats.shadow_culled_polygons, stats.drawn_polygons);
+    if (is_adaptive) memory.worth.learn(stats.shadow_culled_polygons, stats.drawn_polygons, stats.cover_work);
   } else {
     // In the order of prepare().
     const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;

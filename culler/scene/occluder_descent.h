@@ -68,15 +68,19 @@ struct OccluderMemory {
   std::uint64_t idle_edition = 0;     ///< those that have changed since this edition are not idle
   std::vector<std::uint32_t> taken;   ///< of those, the ones that the frame took as idle
 
-  /// After a frame in which nothing was idle: idle are the occluders of which it drew polygons, or would have drawn some, and
-  /// which hid nothing.
-  void find_idle(const HidingMeshes& hiding) {
+  /// After a frame in which nothing was idle: idle are the occluders whose polygons it looked at, and which hid nothing.
+  void find_idle(const HidingMeshes& hiding, std::vector<OccluderId>& ids) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (hiding.has_hidden(static_cast<std::uint32_t>(g + 1))) sources[groups[g]].has_hidden = true;
     }
+    ids.clear();
+    ids.reserve(sources.capacity());
     for (const Source& source : sources) {
-      if (!source.has_hidden) idle.set(source.occluder->id.slot());
+      if (source.has_hidden) continue;
+      idle.set(source.occluder->id.slot());
+      ids.push_back(source.occluder->id);
     }
+    std::ranges::sort(ids, {}, &OccluderId::slot);
   }
 };
 

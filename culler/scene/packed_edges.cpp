@@ -15,8 +15,8 @@ namespace occlude::culler {
 namespace {
 
 constexpr unsigned kBits = 10;
-constexpr int kMost = (1 << (kBits - 1)) - 1;
-/// The half-width of the outer box in units. No edge of the box within is longer on any axis; what is left up to kMost is
+constexpr int kMostUnits = (1 << (kBits - 1)) - 1;
+/// The half-width of the outer box in units. No edge of the box within is longer on any axis; what is left up to kMostUnits is
 /// room to grow.
 constexpr double kUnits = 500;
 
@@ -125,7 +125,7 @@ std::optional<Edges> rounded(const Edges& edges) {
   Edges whole;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(std::fabs(edges[k][axis]) < kMost + 0.5)) return std::nullopt;
+      if (!(std::fabs(edges[k][axis]) < kMostUnits + 0.5)) return std::nullopt;
       whole[k][axis] = rounded(edges[k][axis]);
     }
   }
@@ -153,7 +153,7 @@ std::optional<Edges> holding(const Edges& box, const glm::dvec3& offset) {
 std::uint32_t packed(const glm::dvec3& whole) {
   std::uint32_t word = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    word = word << kBits | static_cast<std::uint32_t>(static_cast<int>(whole[axis]) + kMost + 1);
+    word = word << kBits | static_cast<std::uint32_t>(static_cast<int>(whole[axis]) + kMostUnits + 1);
   }
   return word;
 }
@@ -161,7 +161,7 @@ std::uint32_t packed(const glm::dvec3& whole) {
 glm::dvec3 unpacked(std::uint32_t word) {
   glm::dvec3 whole;
   for (int axis = 2; axis >= 0; --axis, word >>= kBits) {
-    whole[axis] = static_cast<int>(word & ((1U << kBits) - 1)) - (kMost + 1);
+    whole[axis] = static_cast<int>(word & ((1U << kBits) - 1)) - (kMostUnits + 1);
   }
   return whole;
 }

@@ -54,8 +54,8 @@ class SceneFrame {
     memory_.cover.buffer.keep_closings();
   }
   void find_idle() {
-    told_->find(buffer_.closings());
-    memory_.occluders.find_idle(*told_);
+    told_->find(memory_.cover.buffer.closings());
+    memory_.occluders.find_idle(*told_, memory_.result.idle_occluders);
   }
 
   /// What is seen of the occluders closes pixels. joined(painter, occluder) is called after each group that is drawn.
@@ -339,7 +339,9 @@ void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, co
   const bool is_adaptive = options.is_adaptive && !options.is_to_be_held && memory.view.eyes.is_point();
   bool looks = false;
   memory.occluders.idle.begin_alone();
-  if (is_adaptive) {
+  if (!is_adaptive) {
+    memory.result.idle_occluders.clear();
+  } else {
     memory.worth.begin_next(memory.view, memory.occluders.idle_edition != occluders.edition());
     looks = memory.worth.frame() == WorthOfHiding::Frame::looks;
     memory.occluders.idle.begin_next(looks, occluders.slots());
@@ -351,7 +353,8 @@ void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, co
   frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
   frame.list_objects();
   if (looks) frame.find_idle();
-  if (is_adaptive) memory.worth.learn(memory.result.stats.hidden, memory.result.stats.drawn);
+  const SceneStats& stats = memory.result.stats;
+  if (is_adaptive) memory.worth.learn(stats.hidden, stats.drawn, stats.work.cover_work);
 }
 
 /// Its own picture is for nothing but the sizes of objects, and so as small as pictures are.

@@ -61,7 +61,7 @@ std::vector<double> shares_of_hiding(PolygonSoup soup, std::span<const Camera> v
   for (const Camera& camera : views) {
     checkpoint();
     begin_frame(tree, camera, options, memory);
-    cull_by_cover(tree, blocks.tree(), triangles, options, memory.frame, memory.cover, memory.leaves,
+    cull_by_cover(tree, blocks.tree(), triangles, options, memory.frame, memory.cover, memory.leaves, memory.idle,
                   SharesOfFrame(tree, memory.cover, shares));
   }
   return shares;

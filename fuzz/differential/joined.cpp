@@ -9,6 +9,7 @@
 
 #include "any_case.h"
 #include "cull_judge.h"
+#include "frame/view_memory.h"
 #include "occlude/culler/culler.h"
 #include "rows.h"
 #include "small_scenes.h"
@@ -116,9 +117,12 @@ void run_joined(std::uint64_t seed, Report& report) {
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
   config.lists.regions = 1;  // covers need no regions, and to make many would take longer than the rest
   const Culler culler(soup, config);
-  const culler::CullOptions options = some_cover_options(random);
+  culler::CullOptions options = some_cover_options(random);
+  if (random.chance(0.5)) options.method = culler::Method::automatic;
+  culler::View view;
   for (int frame = 0; frame < 3; ++frame) {
-    const culler::CullResult result = culler.cull(camera, options);
+    const culler::CullResult& result = culler.cull(camera, options, view);
+    memory_of(view).worth.cheap = 0;  // so that the third frame saves work
     report.tally.cases += soup.size();
     report.tally.relations[0] += result.stats.shadow_culled_polygons;
     report.tally.relations[1] += result.stats.drawn_polygons;

@@ -22,6 +22,7 @@
 #include "cover/cover_triangles.h"
 #include "cover/hiding_meshes.h"
 #include "cover/worth_of_hiding.h"
+#include "frame/view_memory.h"
 #include "frames.h"
 #include "model/bounds.h"
 #include "model/hierarchy_blocks.h"
@@ -446,6 +447,8 @@ TEST(Automatic, SavesTheWorkOnWhatIsIdle) {
   Camera camera;
   const CullOptions options;
   View view;
+  culler.cull(camera, options, view);
+  memory_of(view).worth.cheap = 0;
   const CullResult look = culler.cull(camera, options, view);
   EXPECT_TRUE(look.idle.empty());
   ASSERT_EQ(culled(look), 200U);
@@ -477,6 +480,7 @@ TEST(Automatic, IsRepeated) {
     CullOptions options;
     if (frame % 4 == 3) options.cover.work = 4000;
     const CullResult result = culler.cull(camera, options, view);
+    memory_of(view).worth.cheap = 0;
     expect_whole(culler, result);
     idle += result.idle.size();
     EXPECT_EQ(proved(culler, result, camera, options), culled(result));
@@ -496,12 +500,13 @@ TEST(Automatic, IsRepeated) {
 }
 
 /// The kinds of the next frames, in each of which so much is hidden.
-std::string kinds(WorthOfHiding& worth, std::size_t frames, std::size_t hidden, std::size_t drawn) {
+std::string kinds(WorthOfHiding& worth, std::size_t frames, std::size_t hidden, std::size_t drawn,
+                  std::size_t work = 100'000) {
   std::string kinds;
   for (std::size_t i = 0; i < frames; ++i) {
     worth.begin_next(FrameView{Camera{}, 100});
     kinds += "LSR"[static_cast<std::size_t>(worth.frame())];
-    worth.learn(hidden, drawn);
+    worth.learn(hidden, drawn, {work, 0, 0});
   }
   return kinds;
 }
@@ -515,6 +520,8 @@ TEST(WorthOfHiding, PaysFromAQuarterOn) {
   const std::string pays = kinds(worth, 200, 24, 76);
   EXPECT_NE(pays.find('R'), std::string::npos);
   EXPECT_EQ(pays.find('S', pays.find('R')), std::string::npos);
+  WorthOfHiding small;
+  EXPECT_EQ(kinds(small, 20, 0, 100, 10'000), std::string(20, 'L'));
   // Looks come later and later, and one that finds a quarter is enough.
   worth = {};
   const std::string rests = kinds(worth, 200, 0, 100);

@@ -145,16 +145,19 @@ void KeptFrame::keep(const culler::SceneResult& result) {
   sizes_.clear();
   distances_.clear();
   planes_.clear();
+  idle_occluders_.clear();
   const std::size_t room = result.drawn.capacity();
   objects_.reserve(room);
   sizes_.reserve(room);
   distances_.reserve(room);
+  idle_occluders_.reserve(result.idle_occluders.capacity());
   for (const culler::DrawnObject& drawn : result.drawn) {
     objects_.push_back(from_id(drawn.id));
     sizes_.push_back(drawn.size);
     distances_.push_back(drawn.distance);
   }
   for (const auto& [normal, offset] : result.view) planes_.push_back({{normal.x, normal.y, normal.z}, offset});
+  for (const culler::OccluderId id : result.idle_occluders) idle_occluders_.push_back(from_id(id));
   stats_ = result.stats;
 }
 
@@ -165,7 +168,9 @@ void KeptFrame::write_to(occlude_frame* frame) const {
                              .sizes = sizes_.data(),
                              .distances = distances_.data(),
                              .planes = planes_.data(),
-                             .plane_count = planes_.size()};
+                             .plane_count = planes_.size(),
+                             .idle_occluders = idle_occluders_.data(),
+                             .idle_occluder_count = idle_occluders_.size()};
   write(values, frame, "frame");
 }
 

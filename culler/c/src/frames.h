@@ -22,6 +22,7 @@ class KeptFrame {
   std::vector<occlude_object> objects_;
   std::vector<float> sizes_, distances_;
   std::vector<occlude_half_space> planes_;
+  std::vector<occlude_occluder> idle_occluders_;
   culler::SceneStats stats_;
 };
 

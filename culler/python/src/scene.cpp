@@ -412,9 +412,12 @@ culler::SceneOptions to_scene_options(const std::pair<int, int>& cover_size, con
 SceneRows::SceneRows(const culler::SceneResult& result) : planes(result.view), stats(result.stats) {
   drawn.reserve(result.drawn.size());
   for (const auto& [id, size, distance] : result.drawn) drawn.push_back({id.number(), size, distance});
+  for (const OccluderId id : result.idle_occluders) idle_occluders.push_back(id.number());
 }
 
-SceneFrame to_frame(SceneRows rows) { return {to_array(std::move(rows.drawn)), to_array(rows.planes), to_dict(rows.stats)}; }
+SceneFrame to_frame(SceneRows rows) {
+  return {to_array(std::move(rows.drawn)), to_array(rows.planes), to_dict(rows.stats), to_array(std::move(rows.idle_occluders))};
+}
 
 void define_scenes(py::module_& module) {
   using py::literals::operator""_a;
@@ -424,6 +427,9 @@ void define_scenes(py::module_& module) {
       .def_readonly("drawn", &SceneFrame::drawn, "Rows (id, size, distance).")
       .def_readonly("planes", &SceneFrame::planes, "Rows (a, b, c, d); in view: a x + b y + c z + d >= 0.")
       .def_readonly("statistics", &SceneFrame::statistics, "What was counted, by names.")
+      .def_readonly("idle_occluders", &SceneFrame::idle_occluders,
+                    "Ids of occluders that hid nothing when a frame of the view last looked at everything: they cost more than "
+                    "they hide.")
       .def("__repr__", [](const SceneFrame& frame) { return to_text(frame); });
   Class scene(module, "Scene", "A world of objects and occluders that changes. Changes show at the next update().");
   scene.def(py::init<>()).def("__repr__", [](const SharedScene& s) { return to_text(s); });

@@ -58,6 +58,7 @@ struct SceneFrame {
   py::array_t<DrawnRow> drawn;
   py::array_t<double> planes;
   py::dict statistics;
+  py::array_t<std::uint64_t> idle_occluders;
 };
 
 /// The same before it is Python's: made while other threads run.
@@ -67,6 +68,7 @@ struct SceneRows {
   std::vector<DrawnRow> drawn;
   std::vector<culler::HalfSpace> planes;
   culler::SceneStats stats;
+  std::vector<std::uint64_t> idle_occluders;
 };
 
 [[nodiscard]] SceneFrame to_frame(SceneRows rows);

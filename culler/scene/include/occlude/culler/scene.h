@@ -88,8 +88,11 @@ struct SceneOptions {
   /// Whether only occluders hide that stand still (OccluderOptions::moves), for a frame that later ones are held against.
   /// With a `least_size` those that an object draws hide nothing either: seen from elsewhere it may be too small.
   bool is_to_be_held = false;
-  /// Whether frames look less where those before them in the view have hidden less than a quarter of the objects in view,
-  /// until there is more to hide. Otherwise a frame does not depend on those before it.
+  /// Whether the frames of a view save work where it does not pay. One in six looks at everything, and the others leave out
+  /// the occluders that hid nothing then, unless they have changed since. Where less than a quarter of the objects in view
+  /// was hidden, later frames hide nothing, and one in 48 looks. A view that turns or moves far looks at once.
+  /// Frames always look that take less than about 0.3 ms, are of several eyes or are to be held. Otherwise a frame does not
+  /// depend on those before it.
   bool is_adaptive = true;
   /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
   /// result is the same, and so is the order of the list. What it throws is thrown on, and all objects that take part are
@@ -123,6 +126,9 @@ struct SceneResult {
   std::vector<DrawnObject> drawn;  ///< in an order that means nothing, unless SceneOptions::is_front_to_back
   std::vector<HalfSpace> view;     ///< as append_view_frustum() has them
   SceneStats stats;
+  /// Of views with SceneOptions::is_adaptive: occluders that hid nothing when a frame of the view last looked at everything,
+  /// though their polygons were looked at. They cost more than they hide. In ascending order of slots.
+  std::vector<OccluderId> idle_occluders;
 };
 
 /// What became of an object in a frame, and why.
