@@ -228,9 +228,9 @@ std::shared_lock<std::shared_mutex> SceneAccess::keep_from_updates(const Scene& 
 
 void Scene::update(const Executor& executor) {
   const std::unique_lock alone(parts_->seen);
+  const bool has_lost = parts_->occluders.update(executor);  // which may throw, and has then done nothing
   parts_->edition = new_edition();
   parts_->objects.update(executor);
-  const bool has_lost = parts_->occluders.update(executor);
   if (std::exchange(parts_->has_lost, false) || has_lost) parts_->standing = new_edition();
 }
 

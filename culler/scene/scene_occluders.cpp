@@ -170,35 +170,48 @@ void SceneOccluders::leave_weld(const Placed& occluder) {
   changed_welds_.insert(key);
 }
 
-/// Makes the meshes of welds that have changed. First all of these leave their places, because one that stood for a weld may
-/// now stand for another.
-void SceneOccluders::weld_again(const Executor& executor) {
-  for (const WeldKey& key : changed_welds_) {
-    Weld& weld = welds_[key];
-    if (weld.mesh) meshes_ -= size_of(weld.mesh->mesh());
-    if (boxes_.contains(weld.stands)) boxes_.move(weld.stands, {});
-    weld.mesh.reset();
-    weld.stands = {};
+/// Of all members, where they stand; none if there are none.
+std::unique_ptr<const WeldedMesh> SceneOccluders::mesh_of(const Weld& weld, const Executor& executor) const {
+  if (weld.members.empty()) return nullptr;
+  std::vector<WeldedPart> parts;
+  for (const std::uint32_t slot : weld.members) {
+    const Placed& occluder = placed_[slot];
+    parts.push_back({occluder.id, occluder.mesh.get(), &occluder.placement});
   }
+  return std::make_unique<WeldedMesh>(parts, executor);
+}
+
+/// Makes the meshes of welds that have changed, which may throw. Then all of these leave their places before any takes one,
+/// because an occluder that stood for a weld may now stand for another.
+void SceneOccluders::weld_again(const Executor& executor) {
+  std::vector<std::unique_ptr<const WeldedMesh>> made;
+  for (const WeldKey& key : changed_welds_) made.push_back(mesh_of(welds_[key], executor));
+  for (const WeldKey& key : changed_welds_) leave_place(welds_[key]);
+  auto mesh = made.begin();
   for (const WeldKey& key : changed_welds_) {
-    Weld& weld = welds_[key];
-    if (weld.members.empty()) {
+    if (*mesh == nullptr) {
       welds_.erase(key);
-      continue;
+    } else {
+      take_place(welds_[key], std::move(*mesh));
     }
-    std::vector<WeldedPart> parts;
-    for (const std::uint32_t slot : weld.members) {
-      const Placed& occluder = placed_[slot];
-      parts.push_back({occluder.id, occluder.mesh.get(), &occluder.placement});
-    }
-    weld.mesh = std::make_unique<WeldedMesh>(parts, executor);
-    weld.stands = parts.front().id;
-    const OccluderMesh& mesh = weld.mesh->mesh();
-    meshes_ += size_of(mesh);
-    boxes_.move(weld.stands, place_of(mesh, {}));
-    changed(weld.stands);
+    ++mesh;
   }
   changed_welds_.clear();
+}
+
+void SceneOccluders::leave_place(Weld& weld) {
+  if (weld.mesh) meshes_ -= size_of(weld.mesh->mesh());
+  if (boxes_.contains(weld.stands)) boxes_.move(weld.stands, {});
+  weld.mesh.reset();
+}
+
+void SceneOccluders::take_place(Weld& weld, std::unique_ptr<const WeldedMesh> of_members) {
+  weld.mesh = std::move(of_members);
+  weld.stands = placed_[*weld.members.begin()].id;
+  const OccluderMesh& mesh = weld.mesh->mesh();
+  meshes_ += size_of(mesh);
+  boxes_.move(weld.stands, place_of(mesh, {}));
+  changed(weld.stands);
 }
 
 SceneOccluders::Standing SceneOccluders::standing_of(const Placed& occluder) const {

@@ -109,7 +109,10 @@ class SceneOccluders {
   [[nodiscard]] static WeldKey key_of(const Placed& occluder);
   void join_weld(const Placed& occluder);
   void leave_weld(const Placed& occluder);
+  [[nodiscard]] std::unique_ptr<const WeldedMesh> mesh_of(const Weld& weld, const Executor& executor) const;
   void weld_again(const Executor& executor);
+  void leave_place(Weld& weld);
+  void take_place(Weld& weld, std::unique_ptr<const WeldedMesh> of_members);
   [[nodiscard]] Standing standing_of(const Placed& occluder) const;
 
   // Of the caller.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -1376,9 +1377,24 @@ TEST(SceneWelds, AreNamedByTheirOccluders) {
   }
 }
 
+TEST(SceneWelds, AnUpdateThatThrowsChangesNothing) {
+  Halves halves({.weld = 3}, {.weld = 3});
+  Scene& scene = halves.scene_;
+  ASSERT_TRUE(halves.hides());
+  scene.set_enabled(halves.left_, false);
+  scene.remove(halves.behind_);
+  std::fesetround(FE_UPWARD);
+  EXPECT_THROW(scene.update(), std::runtime_error);
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(scene.cull(Camera{}, {}, halves.view_).stats.hidden, 1U) << "as before";
+  const ObjectId behind = scene.add(Aabb{{4, -0.1, -0.1}, {5, 0.1, 0.1}});
+  EXPECT_FALSE(halves.hides());
+  EXPECT_EQ(halves.view_.result().drawn.size(), 1U);
+  EXPECT_EQ(halves.view_.result().drawn[0].id, behind);
+}
+
 /// A weld is drawn by one object, in frames with that object.
 TEST(SceneWelds, HideNothingWithoutTheirObject) {
-  Scene drawing;
   Halves halves({}, {});
   Scene& scene = halves.scene_;
   scene.remove(std::array{halves.left_, halves.right_});

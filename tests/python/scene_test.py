@@ -143,6 +143,22 @@ class Scenes(unittest.TestCase):
             np.testing.assert_array_equal(frames[-1].drawn[["size", "distance"]], frames[0].drawn[["size", "distance"]])
             self.assertEqual(frames[-1].statistics, frames[0].statistics)
 
+    def test_welds(self):
+        scene, left = occlude.Scene(), np.array([[10, -5, -5], [10, 0, -5], [10, 0, 5], [10, -5, 5]], float)
+        behind = scene.add_object([20, -1, -1, 21, 1, 1])
+        mesh, beside = occlude.OccluderMesh(left, [[0, 1, 2, 3]]), np.eye(4)
+        beside[1, 3] = 5
+        camera, view = occlude.Camera([0, 0, 0], [1, 0, 0]), occlude.View()
+        for weld in (0, 7):
+            with self.subTest(weld=weld):
+                walls = [scene.add_occluder(mesh, weld=weld), *scene.add_occluders(mesh, [beside], weld=weld)]
+                scene.update()
+                hidden = behind not in scene.cull(camera, view).drawn["id"]
+                self.assertEqual(hidden, weld != 0, "without a seam, or with one")
+                if hidden:
+                    self.assertEqual({by[0] for by in scene.why([behind], view)[0].by}, set(walls))
+                scene.remove_occluders(walls)
+
     def test_occluders(self):
         scene, square = occlude.Scene(), np.array([[10, -5, -5], [10, 5, -5], [10, 5, 5], [10, -5, 5]], "f4")
         behind = scene.add_object([20, -1, -1, 21, 1, 1])

@@ -247,8 +247,10 @@ struct OccluderOptions {
 /// of another scene, for a box with a NaN or with min > max, for a placement with a number that is not finite or one that
 /// takes its mesh beyond 2^100, and for a null mesh. What throws changes nothing. While the processor does not round to
 /// nearest, cull(), why(), SceneView::visibility() and making an OccluderMesh throw std::runtime_error. Changes and update()
-/// do not check it: a program that changes the mode must restore it before them. std::runtime_error is also thrown where
-/// ids are used up: by 32,767 scenes at once, and by 2^28 objects or occluders in one.
+/// do not check it: a program that changes the mode must restore it before them. But an update() that prepares a weld throws
+/// it, and std::length_error for a weld of more than 2^31 sides of triangles; views then see the scene as it was.
+/// std::runtime_error is also thrown where ids are used up: by 32,767 scenes at once, and by 2^28 objects or occluders in
+/// one.
 ///
 /// A scene that was moved from may only be destroyed or assigned to.
 class Scene {
