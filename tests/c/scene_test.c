@@ -615,15 +615,12 @@ static void simplified_occluders(void) {
   for (size_t t = 0; t < 24; ++t) of_box += few.boxes[t] == 0 ? 1 : 0;
   CHECK(of_box == 12);
   occlude_simplified_destroy(simplified);
-  // A little bent, it is flat inside.
-  vertices[13][0] = 2.001F;
+  // With bent faces it is flat inside alone.
+  for (uint32_t i = 8; i < 14; ++i) vertices[i][(i - 8) / 2] += 0.001F;
   options.boxes = 0;
   CHECK_OK(occlude_simplified_create(&data, &options, &simplified));
   CHECK_OK(occlude_simplified_occluders(simplified, &few));
-  CHECK(few.triangle_count == 14);
-  for (uint32_t i = 8; i < 14; ++i) {
-    for (uint32_t k = 0; k < 3; ++k) vertices[i][k] += i % 2 ? 0.0001F : -0.0001F;
-  }
+  CHECK(few.triangle_count == 24);
   occlude_simplified_destroy(simplified);
   options.inset = 0.01;
   CHECK_OK(occlude_simplified_create(&data, &options, &simplified));
