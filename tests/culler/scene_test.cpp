@@ -976,6 +976,36 @@ TEST(Scene, OneSidedOccludersHideFromTheirFront) {
   scene.remove(both);
 }
 
+TEST(Scene, AnOccluderThatHidNothingIsLeftOutUntilItMoves) {
+  Scene scene;
+  for (int i = 0; i < 10; ++i) scene.add(Aabb{{8.0 + i, -0.5, -0.5}, {8.5 + i, 0.5, 0.5}});
+  scene.add(Aabb{{30, 9, -0.2}, {31, 9.4, 0.2}});
+  PolygonSoup soup;
+  soup.add_box({-1, -1, -1}, {1, 1, 1});
+  const auto box = std::make_shared<OccluderMesh>(soup);
+  scene.add(box, at(4, 0, 0));
+  const OccluderId other = scene.add(box, at(20, -9, 0));
+  scene.update();
+  SceneView view;
+  memory_of(view).worth.cheap = 0;
+  const auto expect = [&](std::size_t hidden, std::size_t occluders, const std::vector<OccluderId>& idle) {
+    const SceneResult& result = scene.cull(Camera{}, {}, view);
+    EXPECT_EQ(result.stats.hidden, hidden);
+    EXPECT_EQ(result.stats.occluders, occluders);
+    EXPECT_EQ(result.idle_occluders, idle);
+  };
+  expect(10, 2, {other});
+  for (int frame = 1; frame < 6; ++frame) expect(10, 1, {other});
+  expect(10, 2, {other});  // it looks again
+  expect(10, 1, {other});
+  scene.move(other, at(15, 4.5, 0));
+  scene.update();
+  expect(11, 2, {other});
+  for (int frame = 2; frame < 6; ++frame) expect(11, 2, {other});
+  expect(11, 2, {});
+  EXPECT_TRUE(scene.cull(Camera{}, {.is_adaptive = false}, view).idle_occluders.empty());
+}
+
 TEST(Scene, KnowsHowLargeObjectsLookAndHowFarTheyAre) {
   Scene scene;
   const ObjectId near = scene.add(Aabb{{4, 1, 1}, {4, 2, 2}}), far = scene.add(Aabb{{40, 1, 1}, {40, 2, 2}});

@@ -26,7 +26,7 @@ OCCLUDE_LAST_MEMBER(occlude_matrix_camera, eyes);
 OCCLUDE_LAST_MEMBER(occlude_look_at_camera, eyes);
 OCCLUDE_LAST_MEMBER(occlude_ahead_options, turn_degrees);
 OCCLUDE_LAST_MEMBER(occlude_cull_options, reserved);
-OCCLUDE_LAST_MEMBER(occlude_frame, plane_count);
+OCCLUDE_LAST_MEMBER(occlude_frame, idle_occluder_count);
 OCCLUDE_LAST_MEMBER(occlude_statistics, cover_work);
 OCCLUDE_LAST_MEMBER(occlude_held_options, reserved);
 OCCLUDE_LAST_MEMBER(occlude_held_counts, late);
