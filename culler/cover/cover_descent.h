@@ -61,6 +61,7 @@ struct StandingNodes {
 ///  - relations(block, boxes, asked): of the planes of the view and the nodes, as kernel::relations();
 ///  - prefetch(items): a hint that asked() comes for a block of these;
 ///  - cull(block, i, culled): called for each node that is culled when it is tested; Culled::node is not set;
+///  - hide(boxes, hidden), of nodes that are to know where nodes are hidden when they are tested;
 ///  - decide(tested, i): called for each node that is left, when its turn comes. Returns whether to go below it, which is
 ///    false for a leaf;
 ///  - is_few(items): whether what is below a node of these items can be visited in any order;
@@ -97,6 +98,7 @@ class CoverDescent {
     tested.groups = stats_.cover_groups;
     stats_.cover_tests += kernel::count(tested.left);
     const Bits hidden = buffer_.hidden(tested.seen, tested.left);
+    if constexpr (requires { nodes_.hide(tested.seen, hidden); }) nodes_.hide(tested.seen, hidden);
     cull(tested, hidden, {0, Culled::By::cover});
     tested.left = static_cast<Bits>(tested.left & ~hidden);
     return tested;

@@ -20,7 +20,7 @@ void IdleNodes::begin(const CoverOptions& options) {
 
 void IdleNodes::begin_next(WorthOfHiding::Frame kind, std::size_t nodes, CullResult& frame) {
   is_looking_ = kind == WorthOfHiding::Frame::looks;
-  set_.begin_next(is_looking_, nodes);
+  set_.begin_next(kind, nodes);
   const std::size_t most = frame.culled.capacity();  // one for each leaf at most
   frame.idle.reserve(most);
   entered_.clear();
@@ -58,7 +58,7 @@ void IdleNodes::hide(const Hierarchy& hierarchy, const CoverBuffer& buffer, std:
   ProjectedBoxes boxes;
   const auto hide = [&] {
     boxes.project(buffer.box_picture());
-    for (std::size_t i = 0; i < boxes.size; ++i) hiding_.hide(buffer.footprint(boxes, i).pixels);
+    hiding_.hide(boxes, boxes.all());
     boxes.size = 0;
   };
   for (const Culled& c : culled) {

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "cover/worth_of_hiding.h"
+
 namespace occlude::culler {
 
 /// A frame notes what it took as idle, so that it can be repeated.
@@ -17,11 +19,11 @@ class IdleSet {
     is_used_ = false;
     left_ = {};
   }
-  /// The next frame of a view. In one that looks, nothing is idle; after it set() may say what is, with numbers below `size`.
-  void begin_next(bool looks, std::size_t size) {
-    is_used_ = !looks;
-    left_ = {};
-    if (looks) is_idle_.assign(size, false);
+  /// The next frame of a view. After one that looks, set() says what is idle in those that save, with numbers below `size`.
+  void begin_next(WorthOfHiding::Frame kind, std::size_t size) {
+    begin_alone();
+    if (kind == WorthOfHiding::Frame::looks) is_idle_.assign(size, false);
+    is_used_ = kind == WorthOfHiding::Frame::saves;
   }
   /// A frame once more that took these.
   void begin_again(std::span<const std::uint32_t> taken) {

@@ -40,8 +40,9 @@ class ObjectListing::Objects : public StandingNodes {
   static bool is_few(const ItemRange&) { return true; }
 
   void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
-    listing_.cull(culled.by, block.boxes.box(i), group_.count(block.items(i), listing_.options_.mask));
+    listing_.count(culled.by, group_.count(block.items(i), listing_.options_.mask));
   }
+  void hide(const ProjectedBoxes& boxes, kernel::BoxBits hidden) { listing_.hide(boxes, hidden); }
 
   template <class Boxes>
   bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {

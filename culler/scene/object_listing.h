@@ -20,8 +20,8 @@ namespace occlude::culler {
 class ObjectListing {
  public:
   /// Lists to `room`, which must be enough for all objects of the groups. What is given outlives this.
-  /// Objects are hidden in `hiding`; `own` is the picture of the camera, in which they have a size. `told`, unless it is null,
-  /// is told where they are hidden.
+  /// Objects are hidden in `hiding`; `own` is the picture of the camera, in which they have a size. `told`, unless it is
+  /// null, is told where they are hidden.
   ObjectListing(const SceneOptions& options, const ViewPlanes& view, const CoverBuffer& hiding, const CoverBuffer& own,
                 HidingMeshes* told, std::span<DrawnObject> room)
       : options_(options), view_(view), hiding_(hiding), own_(own), told_(told), room_(room) {}
@@ -33,10 +33,13 @@ class ObjectListing {
   void clear() { stats_ = {}; }
   /// Lists an object.
   void draw(const DrawnObject& object) { room_[stats_.drawn++] = object; }
-  /// Counts objects that are culled in a box.
-  void cull(Culled::By by, const kernel::Aabb& box, std::size_t objects) {
+  /// Counts objects that are culled.
+  void count(Culled::By by, std::size_t objects) {
     (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
-    if (told_ != nullptr && by == Culled::By::cover) told_->hide(hiding_.footprint(box).pixels);
+  }
+  /// Tells where boxes are hidden.
+  void hide(const ProjectedBoxes& boxes, kernel::BoxBits hidden) {
+    if (told_ != nullptr) told_->hide(boxes, hidden);
   }
 
   template <class AnyBox>

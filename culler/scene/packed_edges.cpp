@@ -16,8 +16,8 @@ namespace {
 
 constexpr unsigned kBits = 10;
 constexpr int kMostUnits = (1 << (kBits - 1)) - 1;
-/// The half-width of the outer box in units. No edge of the box within is longer on any axis; what is left up to kMostUnits is
-/// room to grow.
+/// The half-width of the outer box in units. No edge of the box within is longer on any axis; what is left up to kMostUnits
+/// is room to grow.
 constexpr double kUnits = 500;
 
 /// Edges in units are columns: what is unpacked is `middle` and each edge times `unit`, axis by axis.

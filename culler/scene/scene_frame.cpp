@@ -143,8 +143,9 @@ class SceneFrame {
     }
     static bool is_few(const ItemRange&) { return true; }
     void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
-      listing_.cull(culled.by, block.boxes.box(i), objects_.count(block.items(i), mask_));
+      listing_.count(culled.by, objects_.count(block.items(i), mask_));
     }
+    void hide(const ProjectedBoxes& boxes, kernel::BoxBits hidden) { listing_.hide(boxes, hidden); }
     template <class Boxes>
     bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
       if (!tested.block.is_leaf(i)) return true;
@@ -337,17 +338,17 @@ void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, co
   begin_frame(memory);
   SceneOptions limited = options;
   const bool is_adaptive = options.is_adaptive && !options.is_to_be_held && memory.view.eyes.is_point();
-  bool looks = false;
-  memory.occluders.idle.begin_alone();
-  if (!is_adaptive) {
-    memory.result.idle_occluders.clear();
-  } else {
+  using Kind = WorthOfHiding::Frame;
+  Kind kind = Kind::whole;
+  if (is_adaptive) {
     memory.worth.begin_next(memory.view, memory.occluders.idle_edition != occluders.edition());
-    looks = memory.worth.frame() == WorthOfHiding::Frame::looks;
-    memory.occluders.idle.begin_next(looks, occluders.slots());
-    if (looks) memory.occluders.idle_edition = occluders.edition();
+    kind = memory.worth.frame();
     limited.cover = memory.worth.limited(options.cover);
   }
+  const bool looks = kind == Kind::looks;
+  memory.occluders.idle.begin_next(kind, occluders.slots());
+  if (looks) memory.occluders.idle_edition = occluders.edition();
+  if (kind == Kind::whole) memory.result.idle_occluders.clear();
   SceneFrame frame(objects, occluders, limited, memory);
   if (looks) frame.begin_looking();
   frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});

@@ -54,7 +54,7 @@ class SceneOccluders {
     Placement placement;
     ObjectId object;
     bool is_one_sided = false, is_identity = true, is_mirrored = false;
-    std::uint64_t edition = 0;  ///< since which it is so
+    std::uint64_t edition = 0;           ///< since which it is so
     const WeldedMesh* welded = nullptr;  ///< of which it has the mesh, if it stands for a weld
 
     /// The occluder that has a polygon, and its number in the soup of that one's mesh. `number` is that in the soup of

@@ -605,7 +605,7 @@ class WorldJudge {
   std::vector<std::uint32_t> drawn_;            ///< slots, in the last frame
   std::map<std::uint32_t, ObjectFate> proofs_;  ///< by slots, of the last frame
   Camera camera_;
-  std::vector<Camera> eyes_;                    ///< of the last frame
+  std::vector<Camera> eyes_;  ///< of the last frame
 };
 
 }  // namespace

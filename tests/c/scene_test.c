@@ -47,14 +47,17 @@ static void objects_come_and_go(void) {
   CHECK_OK(occlude_scene_move_occluder(scene, occluder, NULL));
   cull(scene, view);
   CHECK(!draws(view, ids[0]));
-  occlude_frame frame = OCCLUDE_FRAME_INIT;
-  CHECK_OK(occlude_view_frame(view, &frame));
-  CHECK(frame.idle_occluder_count == 0);
-  CHECK_OK(occlude_scene_enable_object(scene, ids[0], 0));
-  cull(scene, view);
-  CHECK_OK(occlude_view_frame(view, &frame));
-  CHECK(frame.idle_occluder_count == 1 && frame.idle_occluders[0].number == occluder.number);  // it hides nothing
-  CHECK_OK(occlude_scene_enable_object(scene, ids[0], 1));
+  for (int is_hidden = 0; is_hidden < 2; ++is_hidden) {
+    occlude_view* first = NULL;
+    CHECK_OK(occlude_view_create(&first));
+    CHECK_OK(occlude_scene_enable_object(scene, ids[0], is_hidden));
+    cull(scene, first);
+    occlude_frame frame = OCCLUDE_FRAME_INIT;
+    CHECK_OK(occlude_view_frame(first, &frame));
+    CHECK(is_hidden ? frame.idle_occluder_count == 0
+                    : frame.idle_occluder_count == 1 && frame.idle_occluders[0].number == occluder.number);
+    occlude_view_destroy(first);
+  }
   CHECK(occlude_scene_has_occluder(scene, occluder));
   CHECK_OK(occlude_scene_remove_occluder(scene, occluder));
   CHECK(!occlude_scene_has_occluder(scene, occluder));

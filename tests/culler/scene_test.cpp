@@ -979,7 +979,7 @@ TEST(Scene, OneSidedOccludersHideFromTheirFront) {
 TEST(Scene, AnOccluderThatHidNothingIsLeftOutUntilItMoves) {
   Scene scene;
   for (int i = 0; i < 10; ++i) scene.add(Aabb{{8.0 + i, -0.5, -0.5}, {8.5 + i, 0.5, 0.5}});
-  scene.add(Aabb{{30, 9, -0.2}, {31, 9.4, 0.2}});
+  scene.add(Aabb{{30, 12, -0.2}, {31, 12.4, 0.2}});
   PolygonSoup soup;
   soup.add_box({-1, -1, -1}, {1, 1, 1});
   const auto box = std::make_shared<OccluderMesh>(soup);
@@ -998,10 +998,10 @@ TEST(Scene, AnOccluderThatHidNothingIsLeftOutUntilItMoves) {
   for (int frame = 1; frame < 6; ++frame) expect(10, 1, {other});
   expect(10, 2, {other});  // it looks again
   expect(10, 1, {other});
-  scene.move(other, at(15, 4.5, 0));
+  scene.move(other, at(15, 6, 0));
   scene.update();
   expect(11, 2, {other});
-  for (int frame = 2; frame < 6; ++frame) expect(11, 2, {other});
+  for (int frame = 3; frame < 6; ++frame) expect(11, 2, {other});
   expect(11, 2, {});
   EXPECT_TRUE(scene.cull(Camera{}, {.is_adaptive = false}, view).idle_occluders.empty());
 }

@@ -519,8 +519,8 @@ typedef struct occlude_cull_options {
   /// Whether the frames of a view save work where it does not pay. One in six looks at everything, and the others leave out
   /// the occluders that hid nothing then, unless they have changed since. Where less than a quarter of the objects in view
   /// was hidden, later frames hide nothing, and one in 48 looks. A view that turns or moves far looks at once.
-  /// Frames always look that take less than about 0.3 ms, are of several eyes or are to be held. Otherwise a frame does not
-  /// depend on those before it.
+  /// Nothing is saved in frames that take less than about 0.3 ms, are of several eyes or are to be held. Otherwise a frame
+  /// does not depend on those before it.
   int32_t is_adaptive;
   int32_t reserved;  ///< 0
 } occlude_cull_options;
@@ -588,7 +588,7 @@ typedef struct occlude_frame {
   const occlude_half_space* planes;  ///< those that objects are tested against
   size_t plane_count;
   /// With is_adaptive: occluders that hid nothing when a frame of the view last looked at everything, though their polygons
-  /// were looked at. They cost more than they hide.
+  /// were looked at. They cost more than they hide. After the first frame of a view, only where there is work to save.
   const occlude_occluder* idle_occluders;
   size_t idle_occluder_count;
 } occlude_frame;

@@ -416,7 +416,8 @@ SceneRows::SceneRows(const culler::SceneResult& result) : planes(result.view), s
 }
 
 SceneFrame to_frame(SceneRows rows) {
-  return {to_array(std::move(rows.drawn)), to_array(rows.planes), to_dict(rows.stats), to_array(std::move(rows.idle_occluders))};
+  return {to_array(std::move(rows.drawn)), to_array(rows.planes), to_dict(rows.stats),
+          to_array(std::move(rows.idle_occluders))};
 }
 
 void define_scenes(py::module_& module) {
@@ -427,9 +428,10 @@ void define_scenes(py::module_& module) {
       .def_readonly("drawn", &SceneFrame::drawn, "Rows (id, size, distance).")
       .def_readonly("planes", &SceneFrame::planes, "Rows (a, b, c, d); in view: a x + b y + c z + d >= 0.")
       .def_readonly("statistics", &SceneFrame::statistics, "What was counted, by names.")
-      .def_readonly("idle_occluders", &SceneFrame::idle_occluders,
-                    "Ids of occluders that hid nothing when a frame of the view last looked at everything: they cost more than "
-                    "they hide.")
+      .def_readonly(
+          "idle_occluders", &SceneFrame::idle_occluders,
+          "Ids of occluders that hid nothing when a frame of the view last looked at everything: they cost more than "
+          "they hide.")
       .def("__repr__", [](const SceneFrame& frame) { return to_text(frame); });
   Class scene(module, "Scene", "A world of objects and occluders that changes. Changes show at the next update().");
   scene.def(py::init<>()).def("__repr__", [](const SharedScene& s) { return to_text(s); });

@@ -232,9 +232,9 @@ inline constexpr std::size_t kMissedReasons = 10;
 }
 
 [[nodiscard]] constexpr std::string_view to_string(Missed reason) {
-  constexpr std::array<std::string_view, kMissedReasons> kNames{
-      "out_of_view",   "coarse_node",    "straddling_box", "several",    "not_chosen",
-      "no_single_one", "beyond_picture", "left_out",       "open_pixel", "not_behind"};
+  constexpr std::array<std::string_view, kMissedReasons> kNames{"out_of_view", "coarse_node",   "straddling_box", "several",
+                                                                "not_chosen",  "no_single_one", "beyond_picture", "left_out",
+                                                                "open_pixel",  "not_behind"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

@@ -91,8 +91,8 @@ struct SceneOptions {
   /// Whether the frames of a view save work where it does not pay. One in six looks at everything, and the others leave out
   /// the occluders that hid nothing then, unless they have changed since. Where less than a quarter of the objects in view
   /// was hidden, later frames hide nothing, and one in 48 looks. A view that turns or moves far looks at once.
-  /// Frames always look that take less than about 0.3 ms, are of several eyes or are to be held. Otherwise a frame does not
-  /// depend on those before it.
+  /// Nothing is saved in frames that take less than about 0.3 ms, are of several eyes or are to be held. Otherwise a frame
+  /// does not depend on those before it.
   bool is_adaptive = true;
   /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
   /// result is the same, and so is the order of the list. What it throws is thrown on, and all objects that take part are
@@ -126,8 +126,9 @@ struct SceneResult {
   std::vector<DrawnObject> drawn;  ///< in an order that means nothing, unless SceneOptions::is_front_to_back
   std::vector<HalfSpace> view;     ///< as append_view_frustum() has them
   SceneStats stats;
-  /// Of views with SceneOptions::is_adaptive: occluders that hid nothing when a frame of the view last looked at everything,
-  /// though their polygons were looked at. They cost more than they hide. In ascending order of slots.
+  /// With SceneOptions::is_adaptive: occluders that hid nothing when a frame of the view last looked at everything, though
+  /// their polygons were looked at. They cost more than they hide. In ascending order of slots. After the first frame of a
+  /// view, only where there is work to save.
   std::vector<OccluderId> idle_occluders;
 };
 
