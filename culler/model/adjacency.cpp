@@ -106,11 +106,13 @@ std::vector<SidePair> find_adjacency(SoupView soup, std::span<const std::uint32_
 }
 
 std::vector<bool> find_repeated(SoupView soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
-  std::vector<PolygonKey> keys(soup.size());
+  std::vector<PolygonKey> keys;
+  keys.reserve(soup.size());
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
     checkpoint.at(p);
+    if (!soup.is_opaque(p)) continue;
     const Corners corners(soup.loop(p), weld);
-    keys[p] = {corners[0], corners[1], corners[2], static_cast<std::uint32_t>(corners.size()), p};
+    keys.push_back({corners[0], corners[1], corners[2], static_cast<std::uint32_t>(corners.size()), p});
   }
   parallel_sort(keys, checkpoint);
   // Compares polygons with equal keys by their remaining corners. The sort is stable, so the first of equal polygons stays

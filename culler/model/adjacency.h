@@ -28,8 +28,8 @@ struct SidePair {
 [[nodiscard]] std::vector<SidePair> find_adjacency(SoupView soup, std::span<const std::uint32_t> weld,
                                                    const Checkpoint& checkpoint = {});
 
-/// For each polygon, whether an earlier one has the same corners in the same order, in either orientation. Such a polygon
-/// hides only what the earlier one hides.
+/// For each polygon, whether it and an earlier one are opaque and have the same corners in the same order, in either
+/// orientation. Such a polygon hides only what the earlier one hides.
 [[nodiscard]] std::vector<bool> find_repeated(SoupView soup, std::span<const std::uint32_t> weld,
                                               const Checkpoint& checkpoint = {});
 

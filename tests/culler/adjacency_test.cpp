@@ -72,6 +72,14 @@ std::vector<bool> repeated(const std::vector<Loop>& polygons) {
   return find_repeated(soup, welded(soup.vertices));
 }
 
+TEST(Repeated, NotWhereTheFirstIsSeeThrough) {
+  PolygonSoup soup;
+  add(soup, {a, b, c});
+  soup.see_through_from(0);
+  for (int i = 0; i < 2; ++i) add(soup, {c, b, a});
+  EXPECT_EQ(find_repeated(soup, welded(soup.vertices)), (std::vector{false, false, true}));
+}
+
 TEST(Repeated, WhereverTheLoopBeginsAndWhicheverWayRound) {
   EXPECT_EQ(repeated({{a, b, c}, {b, c, a}, {c, b, a}, {a, b, d}}), (std::vector{false, true, true, false}));
   EXPECT_EQ(repeated({{a, b, c, d}, {c, b, a, d}, {a, c, b, d}, {a, b, c}}), (std::vector{false, true, false, false}));
