@@ -132,8 +132,9 @@ struct CoverOptions {
 /// How a frame is culled. Each option names the method that it is for; the other one ignores it.
 struct CullOptions {
   /// By `automatic`, frames are by cover, and those of a view save work where it does not pay. What neither hides anything
-  /// nor is hidden is idle in the next 3 to 31 frames: it is drawn unasked. Where frames hide less than a quarter of what is
-  /// in view, later ones look less, until there is more to hide. A frame without a view looks as far as one by cover.
+  /// nor is hidden is idle in the next five frames: it is drawn unasked. Where frames hide less than a quarter of what is
+  /// in view, later ones hide nothing, but for one in 48, until there is more to hide. Frames that take less than about
+  /// 0.3 ms, and those without a view, are as by cover.
   Method method = Method::automatic;
   /// Cover. The coarse picture.
   CoverOptions cover = {};
