@@ -14,19 +14,19 @@
 namespace occlude::culler {
 namespace {
 
-constexpr unsigned kBits = 10;
-constexpr int kMostUnits = (1 << (kBits - 1)) - 1;
+constexpr unsigned kEdgeBits = 10;
+constexpr int kMostUnits = (1 << (kEdgeBits - 1)) - 1;
 /// The half-width of the outer box in units. No edge of the box within is longer on any axis; what is left up to kMostUnits
 /// is room to grow.
 constexpr double kUnits = 500;
 
-/// Edges in units are columns: what is unpacked is `middle` and each edge times `unit`, axis by axis.
-using Edges = std::array<glm::dvec3, 3>;
+/// EdgeVectors in units are columns: what is unpacked is `middle` and each edge times `unit`, axis by axis.
+using EdgeVectors = std::array<glm::dvec3, 3>;
 
-struct Grid {
+struct EdgeGrid {
   glm::dvec3 middle, unit, units;  ///< units of 1, or 0
 
-  explicit Grid(const kernel::Aabb& outer) {
+  explicit EdgeGrid(const kernel::Aabb& outer) {
     // The outer box of a box that is flat at 0 has a width of 2^-99, so that its numbers are legal. With a larger one
     // every number of a grid is 0 or legal.
     constexpr double kFlat = 0x1p-90;
@@ -46,7 +46,7 @@ struct Grid {
     return v * units;
   }
 
-  [[nodiscard]] kernel::Obb box(const Edges& whole) const {
+  [[nodiscard]] kernel::Obb box(const EdgeVectors& whole) const {
     kernel::Obb box{to_kernel(middle), {}};
     for (std::size_t k = 0; k < whole.size(); ++k) box.half_edges[k] = to_kernel(whole[k] * unit);
     return box;
@@ -61,26 +61,26 @@ glm::dvec3 any_across(const glm::dvec3& v) {
 }
 
 /// Normals of the faces, as long as these are large.
-Edges normals(const Edges& edges) {
+EdgeVectors normals(const EdgeVectors& edges) {
   return {glm::cross(edges[1], edges[2]), glm::cross(edges[2], edges[0]), glm::cross(edges[0], edges[1])};
 }
 
 /// How thick a box is to be in units, half from face to face: more than what rounding moves its edges.
 constexpr double kLeast = 1.5;
 
-bool is_thin(const Edges& edges) {
-  const Edges across = normals(edges);
+bool is_thin(const EdgeVectors& edges) {
+  const EdgeVectors across = normals(edges);
   const double volume = glm::dot(edges[0], across[0]);
   return std::ranges::any_of(across,
                              [&](const glm::dvec3& n) { return volume * volume < kLeast * kLeast * glm::dot(n, n); });
 }
 
-/// Edges of which none is shorter than that across the longer ones. The box of two edges or fewer is flat and would hold
+/// EdgeVectors of which none is shorter than that across the longer ones. The box of two edges or fewer is flat and would hold
 /// nothing beside it.
-Edges thickened(const Edges& edges) {
+EdgeVectors thickened(const EdgeVectors& edges) {
   std::array<std::size_t, 3> by_length{0, 1, 2};
   std::ranges::sort(by_length, std::ranges::greater(), [&](std::size_t k) { return glm::dot(edges[k], edges[k]); });
-  Edges thick = edges;
+  EdgeVectors thick = edges;
   glm::dvec3 &longest = thick[by_length[0]], &second = thick[by_length[1]], &shortest = thick[by_length[2]];
   const glm::dvec3 along = glm::normalize(longest);
   const glm::dvec3 beside = second - glm::dot(second, along) * along;
@@ -96,8 +96,8 @@ Edges thickened(const Edges& edges) {
 void lengthen(glm::dvec3& edge, double share) { edge *= std::max(share, 1 + 1 / glm::length(edge)); }
 
 /// How far a box reaches in another one of whole edges: along each of these, as a share of it. None if that one is flat.
-std::optional<std::array<double, 3>> reach(const Edges& box, const glm::dvec3& offset, const Edges& whole) {
-  const Edges across = normals(whole);
+std::optional<std::array<double, 3>> reach(const EdgeVectors& box, const glm::dvec3& offset, const EdgeVectors& whole) {
+  const EdgeVectors across = normals(whole);
   const double volume = glm::dot(whole[0], across[0]);
   if (volume == 0) return std::nullopt;
   std::array<double, 3> reach;
@@ -121,8 +121,8 @@ constexpr double kHeld = 1 - 0x1p-10;
 double rounded(double x) { return static_cast<int>(x < 0 ? x - 0.5 : x + 0.5); }
 
 /// None if they do not fit.
-std::optional<Edges> rounded(const Edges& edges) {
-  Edges whole;
+std::optional<EdgeVectors> rounded(const EdgeVectors& edges) {
+  EdgeVectors whole;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     for (int axis = 0; axis < 3; ++axis) {
       if (!(std::fabs(edges[k][axis]) < kMostUnits + 0.5)) return std::nullopt;
@@ -133,8 +133,8 @@ std::optional<Edges> rounded(const Edges& edges) {
 }
 
 /// Whole edges of a box that holds the given one; none if they do not fit.
-std::optional<Edges> holding(const Edges& box, const glm::dvec3& offset) {
-  Edges edges = is_thin(box) ? thickened(box) : box;
+std::optional<EdgeVectors> holding(const EdgeVectors& box, const glm::dvec3& offset) {
+  EdgeVectors edges = is_thin(box) ? thickened(box) : box;
   for (glm::dvec3& edge : edges) lengthen(edge, 1);
   while (const auto whole = rounded(edges)) {  // each time they are longer
     const auto reached = reach(box, offset, *whole);
@@ -153,15 +153,15 @@ std::optional<Edges> holding(const Edges& box, const glm::dvec3& offset) {
 std::uint32_t packed(const glm::dvec3& whole) {
   std::uint32_t word = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    word = word << kBits | static_cast<std::uint32_t>(static_cast<int>(whole[axis]) + kMostUnits + 1);
+    word = word << kEdgeBits | static_cast<std::uint32_t>(static_cast<int>(whole[axis]) + kMostUnits + 1);
   }
   return word;
 }
 
 glm::dvec3 unpacked(std::uint32_t word) {
   glm::dvec3 whole;
-  for (int axis = 2; axis >= 0; --axis, word >>= kBits) {
-    whole[axis] = static_cast<int>(word & ((1U << kBits) - 1)) - (kMostUnits + 1);
+  for (int axis = 2; axis >= 0; --axis, word >>= kEdgeBits) {
+    whole[axis] = static_cast<int>(word & ((1U << kEdgeBits) - 1)) - (kMostUnits + 1);
   }
   return whole;
 }
@@ -169,24 +169,24 @@ glm::dvec3 unpacked(std::uint32_t word) {
 }  // namespace
 
 PackedEdges::PackedEdges(const kernel::Obb& box, const kernel::Aabb& outer) {
-  const Grid grid(outer);
-  Edges edges;
+  const EdgeGrid grid(outer);
+  EdgeVectors edges;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto edge = grid.in_units(to_glm(box.half_edges[k]));
     if (!edge) return;
     edges[k] = *edge;
   }
   const auto offset = grid.in_units(to_glm(box.center) - grid.middle);
-  if (!offset || edges == Edges{}) return;
+  if (!offset || edges == EdgeVectors{}) return;
   const auto whole = holding(edges, *offset);
   if (!whole || kernel::check(grid.box(*whole)) != kernel::Refusal::none) return;
   for (std::size_t k = 0; k < edges.size(); ++k) edges_[k] = packed((*whole)[k]);
 }
 
 kernel::Obb PackedEdges::box(const kernel::Aabb& outer) const {
-  Edges whole;
+  EdgeVectors whole;
   for (std::size_t k = 0; k < whole.size(); ++k) whole[k] = unpacked(edges_[k]);
-  return Grid(outer).box(whole);
+  return EdgeGrid(outer).box(whole);
 }
 
 }  // namespace occlude::culler
