@@ -75,8 +75,8 @@ bool is_thin(const EdgeVectors& edges) {
                              [&](const glm::dvec3& n) { return volume * volume < kLeast * kLeast * glm::dot(n, n); });
 }
 
-/// EdgeVectors of which none is shorter than that across the longer ones. The box of two edges or fewer is flat and would hold
-/// nothing beside it.
+/// EdgeVectors of which none is shorter than that across the longer ones. The box of two edges or fewer is flat and would
+/// hold nothing beside it.
 EdgeVectors thickened(const EdgeVectors& edges) {
   std::array<std::size_t, 3> by_length{0, 1, 2};
   std::ranges::sort(by_length, std::ranges::greater(), [&](std::size_t k) { return glm::dot(edges[k], edges[k]); });

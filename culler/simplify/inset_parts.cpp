@@ -24,7 +24,7 @@ namespace occlude::culler {
 namespace {
 
 using kernel::Vec3;
-using Corners = std::array<Vec3, 3>;
+using TriangleCorners = std::array<Vec3, 3>;
 
 /// How much farther inwards a plane is moved than it must be, over the largest coordinate: what rounding may move a corner
 /// by, with some bits to spare.
@@ -32,7 +32,7 @@ constexpr double kSpare = 0x1p-47;
 /// Planes that meet at right angles are met at once, others within a few times.
 constexpr int kRounds = 30;
 /// No closed surface has fewer triangles, but one that lies on itself.
-constexpr std::size_t kLeast = 4;
+constexpr std::size_t kLeastPart = 4;
 /// Triangles of a region turn by less than 60 degrees against the first of them.
 constexpr double kLeastCosine = 0.5;
 
@@ -170,7 +170,7 @@ class Regions {
   std::vector<Inner> planes_;
 };
 
-bool has_area(const Corners& corners) {
+bool has_area(const TriangleCorners& corners) {
   const auto& [a, b, c] = corners;
   return kernel::turn(0, a, b, c) != 0 || kernel::turn(1, a, b, c) != 0 || kernel::turn(2, a, b, c) != 0;
 }
@@ -215,7 +215,7 @@ std::vector<InsetPart> inset_parts(SoupView soup, double inset, std::span<const 
   const auto work = [&](std::size_t i) {
     std::size_t all = 0;
     for (const std::uint32_t p : parts[i]) all += needed[p];
-    if (all / 2 < kLeast || !is_closed(soup, weld, parts[i])) return;
+    if (all / 2 < kLeastPart || !is_closed(soup, weld, parts[i])) return;
     results[i].triangles = triangles_in(soup, weld, parts[i], inset, all / 2, checkpoint);
     results[i].polygons = std::move(parts[i]);
   };

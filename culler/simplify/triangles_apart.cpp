@@ -11,11 +11,11 @@ namespace occlude::culler {
 namespace {
 
 using kernel::Vec3;
-using Corners = std::array<Vec3, 3>;
+using TriangleCorners = std::array<Vec3, 3>;
 
 /// Whether a plane through `a`, or through a side of it and a corner of `b`, has the triangles on its two sides, all but
 /// these strictly.
-bool is_plane_between(const Corners& a, const Corners& b) {
+bool is_plane_between(const TriangleCorners& a, const TriangleCorners& b) {
   const int above = kernel::orientation(a[0], a[1], a[2], b[0]);
   const auto side = [&](std::size_t k) { return kernel::orientation(a[0], a[1], a[2], b[k]); };
   if (above != 0 && side(1) == above && side(2) == above) return true;
