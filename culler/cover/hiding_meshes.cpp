@@ -55,8 +55,8 @@ void HidingMeshes::find(std::span<CoverBuffer::Closing> closings) {
 }
 
 std::span<const CoverBuffer::Closing> HidingMeshes::of(std::uint32_t id) const {
-  const auto found = std::ranges::equal_range(closings_, id, {}, &CoverBuffer::Closing::id);
-  return {found.begin(), found.end()};
+  const auto first = std::ranges::lower_bound(closings_, id, {}, &CoverBuffer::Closing::id);
+  return {first, std::ranges::upper_bound(first, closings_.end(), id, {}, &CoverBuffer::Closing::id)};
 }
 
 bool HidingMeshes::has_hidden(std::uint32_t id, const PixelRectangle& pixels) const {

@@ -66,13 +66,13 @@ EdgeVectors normals(const EdgeVectors& edges) {
 }
 
 /// How thick a box is to be in units, half from face to face: more than what rounding moves its edges.
-constexpr double kLeast = 1.5;
+constexpr double kLeastRoom = 1.5;
 
 bool is_thin(const EdgeVectors& edges) {
   const EdgeVectors across = normals(edges);
   const double volume = glm::dot(edges[0], across[0]);
   return std::ranges::any_of(across,
-                             [&](const glm::dvec3& n) { return volume * volume < kLeast * kLeast * glm::dot(n, n); });
+                             [&](const glm::dvec3& n) { return volume * volume < kLeastRoom * kLeastRoom * glm::dot(n, n); });
 }
 
 /// EdgeVectors of which none is shorter than that across the longer ones. The box of two edges or fewer is flat and would
@@ -86,9 +86,9 @@ EdgeVectors thickened(const EdgeVectors& edges) {
   const glm::dvec3 beside = second - glm::dot(second, along) * along;
   const double width = glm::length(beside);
   glm::dvec3 across = width > 0 ? beside / width : any_across(along);
-  if (width < kLeast) second = kLeast * across;
+  if (width < kLeastRoom) second = kLeastRoom * across;
   across = glm::cross(along, across);
-  if (std::fabs(glm::dot(shortest, across)) < kLeast) shortest = kLeast * across;
+  if (std::fabs(glm::dot(shortest, across)) < kLeastRoom) shortest = kLeastRoom * across;
   return thick;
 }
 
