@@ -71,8 +71,8 @@ constexpr double kLeastRoom = 1.5;
 bool is_thin(const EdgeVectors& edges) {
   const EdgeVectors across = normals(edges);
   const double volume = glm::dot(edges[0], across[0]);
-  return std::ranges::any_of(across,
-                             [&](const glm::dvec3& n) { return volume * volume < kLeastRoom * kLeastRoom * glm::dot(n, n); });
+  return std::ranges::any_of(
+      across, [&](const glm::dvec3& n) { return volume * volume < kLeastRoom * kLeastRoom * glm::dot(n, n); });
 }
 
 /// EdgeVectors of which none is shorter than that across the longer ones. The box of two edges or fewer is flat and would
