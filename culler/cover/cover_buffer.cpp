@@ -17,7 +17,7 @@ namespace {
 constexpr double kBorder = 1.0 / 6;
 
 /// Memory is reserved for so many meshes that bring pixels of a tile nearer, on average. Frames of the models tried have
-/// at most half of that; one that has more allocates.
+/// at most a quarter of that; one that has more allocates.
 constexpr std::size_t kClosingsOfTile = 16;
 
 /// Layers of a picture of several eyes. Eight cull nearly as much as any larger number, in less time. What the eyes move

@@ -144,7 +144,6 @@ class CoverBuffer {
   [[nodiscard]] const DrawnSheet& sheet(std::uint32_t i) const { return sheets_[i]; }
 
   [[nodiscard]] const ConservativeViewport& picture() const { return picture_; }
-  [[nodiscard]] int tiles_across() const { return tiles_across_; }
   /// The mesh that was added last, as it was drawn.
   [[nodiscard]] const SheetRasteriser& piece() const { return rasteriser_; }
 

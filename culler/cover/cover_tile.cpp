@@ -58,19 +58,12 @@ HWY_INLINE std::uint64_t at_most(Tag d, const float* numbers, float most, std::s
   return result;
 }
 
-/// A bit for each whole number from `first` to before `end`, of those from 0 to 7.
-HWY_INLINE std::uint64_t from_to(int first, int end) {
-  const auto below = [](int n) { return (std::uint64_t{1} << std::clamp(n, 0, kTile)) - 1; };
-  return below(end) & ~below(first);
-}
-
 /// How many pixels of a tile have a nearness of at most `most`, of those in the columns of a mask and in rows from `first`
 /// to before `end`. REQUIRES: 0 <= first < end <= kTile.
 HWY_INLINE int open_in_tile(const float* pixels, float most, std::uint64_t columns, int first, int end) {
-  constexpr std::uint64_t kEachRow = 0x0101'0101'0101'0101, kAll = ~std::uint64_t{0};
   const auto at = [](int row) { return static_cast<std::size_t>(row) * kTile; };
-  const std::uint64_t rows = kAll << at(first) & kAll >> (kTilePixels - at(end));
-  return std::popcount(at_most(kRows, pixels, most, at(first) & -hn::Lanes(kRows), at(end)) & rows & columns * kEachRow);
+  const std::uint64_t open = at_most(kRows, pixels, most, at(first) & -hn::Lanes(kRows), at(end));
+  return std::popcount(open & pixels_of(columns, first, end));
 }
 
 int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough) {

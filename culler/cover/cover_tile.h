@@ -2,6 +2,7 @@
 // Tiles of the coarse picture and their pixels, several at once.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,6 +18,17 @@ namespace occlude::culler {
 /// bit 8 y + x.
 inline constexpr int kTileBits = 3, kTile = 1 << kTileBits;
 inline constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
+
+/// A bit for each whole number from `first` to before `end`, of those from 0 to 7.
+inline std::uint64_t from_to(int first, int end) {
+  const auto below = [](int n) { return (std::uint64_t{1} << std::clamp(n, 0, kTile)) - 1; };
+  return below(end) & ~below(first);
+}
+/// The pixels of a tile in these columns, and in rows from `first` to before `end`. REQUIRES: 0 <= first < end <= kTile.
+inline std::uint64_t pixels_of(std::uint64_t columns, int first, int end) {
+  constexpr std::uint64_t kEachRow = 0x0101'0101'0101'0101, kAll = ~std::uint64_t{0};
+  return kAll << kTile * first & kAll >> kTile * (kTile - end) & columns * kEachRow;
+}
 
 /// How near an open pixel is closed.
 inline constexpr float kOpen = -std::numeric_limits<float>::infinity();

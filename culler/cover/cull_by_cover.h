@@ -51,11 +51,12 @@ class ModelNodes : public StandingNodes {
 
   bool spend(std::size_t work) { return budget_.spend(work); }
 
-  /// Draws as much of a block, and of what is below it, as is in view.
-  void draw_unasked(const TreeBlock& block, std::uint32_t straddled_planes) {
+  /// Draws as much of a block, or of a node of it, as is in view: `at` is what ViewDescent::visit() takes.
+  template <class... At>
+  void draw_unasked(const At&... at) {
     const auto cull = [&](const TreeBlock& of, std::uint32_t i, const Culled& culled) { this->cull(of, i, culled); };
     const auto draw = [&](const ItemRange& items) { found_.draw_unasked(items); };
-    ViewDescent(tree_, volumes_, cull, draw).visit(block, straddled_planes);
+    ViewDescent(tree_, volumes_, cull, draw).visit(at...);
   }
 
  protected:
@@ -120,11 +121,7 @@ class ClosingModelNodes : public ModelNodes<Watch> {
   bool enter(const TestedBlock<Boxes>& tested, std::uint32_t i) {
     const TreeBlock& block = tested.block;
     if (block.count(i) >= IdleNodes::kFewest && idle_.take(block.node[i], taken_)) {
-      if (tested.straddled_planes[i] == 0) {
-        found_.draw_unasked(block.items(i));
-      } else {
-        this->draw_unasked(this->tree_[block.below[i]], tested.straddled_planes[i]);
-      }
+      this->draw_unasked(block, i, tested.straddled_planes[i]);
       return false;
     }
     if (tested.groups == stats_.cover_groups) return true;  // nothing was drawn since it was tested

@@ -12,20 +12,14 @@ namespace {
 
 /// The pixels of the tile at (x, y), in tiles, that are in a rectangle.
 std::uint64_t pixels_of_tile(const PixelRectangle& r, int x, int y) {
-  constexpr std::uint64_t kEachRow = 0x0101'0101'0101'0101;
-  const auto below = [](int n) { return n >= kTile ? 0xFFU : (1U << std::max(n, 0)) - 1U; };
-  const std::uint64_t columns = below(r.x1 - kTile * x) & ~below(r.x0 - kTile * x);
-  std::uint64_t rows = ~std::uint64_t{0};
-  const int first = std::max(r.y0 - kTile * y, 0), end = std::min(r.y1 - kTile * y, kTile);
-  if (first >= end) return 0;
-  rows = rows << (kTile * first) & rows >> (kTile * (kTile - end));
-  return columns * kEachRow & rows;
+  const int row0 = std::max(r.y0 - kTile * y, 0), row1 = std::min(r.y1 - kTile * y, kTile);
+  return row0 < row1 ? pixels_of(from_to(r.x0 - kTile * x, r.x1 - kTile * x), row0, row1) : 0;
 }
 
 }  // namespace
 
 void HidingMeshes::begin(const CoverBuffer& buffer) {
-  tiles_across_ = buffer.tiles_across();
+  tiles_across_ = buffer.picture().width() / kTile;
   tiles_up_ = buffer.picture().height() / kTile;
   hidden_.assign(static_cast<std::size_t>(tiles_across_ * tiles_up_), 0);
 }

@@ -65,7 +65,7 @@ class WorthOfHiding {
   }
 
  private:
-  /// One frame in six looks. With one in four, frames take 2 to 5 % more; with one in eight, Sponza hides half a point less.
+  /// One frame in six looks. With one in four, frames take 1 to 7 % more; with one in eight, Sponza hides half a point less.
   /// While it does not pay, the next look comes after twelve frames, then after 24, then after 48 ever.
   static constexpr std::size_t kInterval = 6, kMostInterval = 48;
   /// Hiding pays while at least this share of what was in view in the last frames, each counted by how much it had in view,

@@ -48,13 +48,15 @@ class ViewDescent {
         [&](kernel::BoxBits nodes, const Culled& culled) {
           for_each_bit(nodes, [&](std::uint32_t i) { cull_(block, i, culled); });
         });
-    for_each_bit(left, [&](std::uint32_t i) {
-      if (straddled_planes[i] == 0 || block.is_leaf(i)) {
-        draw_(block.items(i));
-      } else {
-        visit(tree_[block.below[i]], straddled_planes[i]);
-      }
-    });
+    for_each_bit(left, [&](std::uint32_t i) { visit(block, i, straddled_planes[i]); });
+  }
+  /// The same for a node of a block.
+  void visit(const TreeBlock& block, std::uint32_t i, std::uint32_t planes) const {
+    if (planes == 0 || block.is_leaf(i)) {
+      draw_(block.items(i));
+    } else {
+      visit(tree_[block.below[i]], planes);
+    }
   }
 
  private:

@@ -20,7 +20,7 @@ constexpr int kMostUnits = (1 << (kEdgeBits - 1)) - 1;
 /// is room to grow.
 constexpr double kUnits = 500;
 
-/// EdgeVectors in units are columns: what is unpacked is `middle` and each edge times `unit`, axis by axis.
+/// Edges in units are columns: what is unpacked is `middle` and each edge times `unit`, axis by axis.
 using EdgeVectors = std::array<glm::dvec3, 3>;
 
 struct EdgeGrid {
@@ -75,7 +75,7 @@ bool is_thin(const EdgeVectors& edges) {
       across, [&](const glm::dvec3& n) { return volume * volume < kLeastRoom * kLeastRoom * glm::dot(n, n); });
 }
 
-/// EdgeVectors of which none is shorter than that across the longer ones. The box of two edges or fewer is flat and would
+/// Edges of which none is shorter than that across the longer ones. The box of two edges or fewer is flat and would
 /// hold nothing beside it.
 EdgeVectors thickened(const EdgeVectors& edges) {
   std::array<std::size_t, 3> by_length{0, 1, 2};

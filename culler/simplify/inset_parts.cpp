@@ -24,7 +24,6 @@ namespace occlude::culler {
 namespace {
 
 using kernel::Vec3;
-using TriangleCorners = std::array<Vec3, 3>;
 
 /// How much farther inwards a plane is moved than it must be, over the largest coordinate: what rounding may move a corner
 /// by, with some bits to spare.
@@ -170,15 +169,15 @@ class Regions {
   std::vector<Inner> planes_;
 };
 
-bool has_area(const TriangleCorners& corners) {
-  const auto& [a, b, c] = corners;
+bool has_area(const SolidTriangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
   return kernel::turn(0, a, b, c) != 0 || kernel::turn(1, a, b, c) != 0 || kernel::turn(2, a, b, c) != 0;
 }
 
 bool is_proven(const Solid& solid, const SolidTriangle& triangle) {
   const auto is_legal = [](const Vec3& v) { return kernel::check(v) == kernel::Refusal::none; };
   const auto is_apart = [&](const SolidTriangle& of_part) { return are_apart(triangle, of_part); };
-  return std::ranges::all_of(triangle.corners, is_legal) && has_area(triangle.corners) &&
+  return std::ranges::all_of(triangle.corners, is_legal) && has_area(triangle) &&
          std::ranges::all_of(solid.triangles, is_apart) && is_inside(solid, triangle.corners[0]);
 }
 

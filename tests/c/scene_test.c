@@ -94,6 +94,19 @@ static void objects_come_and_go(void) {
   CHECK(draws(view, next));  // a view outlives its scenes
 }
 
+/// A polygon of so many corners, at most five.
+static occlude_mesh_data polygon_of(const double* corners, const uint32_t* count) {
+  static const uint32_t indices[] = {0, 1, 2, 3, 4};
+  occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  data.vertices.data = corners;
+  data.vertices.count = *count;
+  data.indices = indices;
+  data.index_count = *count;
+  data.polygon_sizes = count;
+  data.polygon_count = 1;
+  return data;
+}
+
 static void options_of_objects_and_occluders(void) {
   occlude_object_options options = OCCLUDE_OBJECT_OPTIONS_INIT;
   options.is_always_drawn = 1;
@@ -168,15 +181,9 @@ static void options_of_objects_and_occluders(void) {
 
   // Welded: two halves that only touch hide without a seam. The wall of before is no part of the weld.
   CHECK_OK(occlude_scene_enable_occluder(scene, body, 0));
-  const double half_vertices[] = {10, -5, -5, 10, 0, -5, 10, 0, 5, 10, -5, 5};
-  const uint32_t half_indices[] = {0, 1, 2, 3}, half_sizes[] = {4};
-  occlude_mesh_data half_data = OCCLUDE_MESH_DATA_INIT;
-  half_data.vertices.data = half_vertices;
-  half_data.vertices.count = 4;
-  half_data.indices = half_indices;
-  half_data.index_count = 4;
-  half_data.polygon_sizes = half_sizes;
-  half_data.polygon_count = 1;
+  const double half_corners[] = {10, -5, -5, 10, 0, -5, 10, 0, 5, 10, -5, 5};
+  const uint32_t four = 4, five = 5;
+  const occlude_mesh_data half_data = polygon_of(half_corners, &four);
   occlude_mesh* half = NULL;
   CHECK_OK(occlude_mesh_create(&half_data, &half));
   occlude_placement beside = OCCLUDE_PLACEMENT_INIT;
@@ -196,15 +203,8 @@ static void options_of_objects_and_occluders(void) {
   CHECK_OK(occlude_scene_enable_occluder(scene, body, 1));
 
   // Another mesh: a pentagon that looks to the eye, with a corner in the middle of an edge.
-  const double vertices[] = {10, -5, -5, 10, -5, 5, 10, 5, 5, 10, 5, 0, 10, 5, -5};
-  const uint32_t indices[] = {0, 1, 2, 3, 4}, sizes[] = {5};
-  occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
-  data.vertices.data = vertices;
-  data.vertices.count = 5;
-  data.indices = indices;
-  data.index_count = 5;
-  data.polygon_sizes = sizes;
-  data.polygon_count = 1;
+  const double corners[] = {10, -5, -5, 10, -5, 5, 10, 5, 5, 10, 5, 0, 10, 5, -5};
+  occlude_mesh_data data = polygon_of(corners, &five);
   occlude_mesh* pentagon = NULL;
   CHECK_OK(occlude_mesh_create(&data, &pentagon));
   CHECK(occlude_mesh_polygons(pentagon) == 1 && occlude_mesh_polygons(wall) == 2 && occlude_mesh_polygons(NULL) == 0);
