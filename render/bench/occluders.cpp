@@ -61,7 +61,9 @@ void run(OccludersTrial& trial, const Subject& subject, const Options& options) 
     render::check_interrupt();
     const culler::Camera camera = subject.path.camera(frame, aspect(options.walk));
     const ProcessorTime time(ProcessorTime::Of::thread);
-    const culler::SceneStats& stats = trial.scene.cull(camera, {.cover = options.walk.cull.cover}, view).stats;
+    // Each frame looks at all occluders, so that these alone are compared.
+    const culler::SceneOptions how{.cover = options.walk.cull.cover, .is_adaptive = false};
+    const culler::SceneStats& stats = trial.scene.cull(camera, how, view).stats;
     ms += time.milliseconds();
     hidden += static_cast<double>(stats.hidden);
     in_view += static_cast<double>(stats.hidden + stats.drawn);

@@ -436,8 +436,8 @@ typedef struct occlude_simplify_options {
   /// Faces of inner boxes are chosen from, too, so many boxes of each closed part at most. They hide for eyes alone that are
   /// never inside of a closed part (occlude/culler/inner_boxes.h); all else hides for every eye.
   size_t boxes;
-  size_t
-      cells;  ///< along each axis of a part, of the grid in which boxes are looked for: 3 to 64, else the nearest of these
+  /// Along each axis of a part, of the grid in which boxes are looked for: 3 to 64, else the nearest of these.
+  size_t cells;
   /// By how much regions of closed parts may differ from flat ones and be merged still, inside of the part. 0: only what is
   /// exactly flat is merged. Otherwise they hide as boxes do.
   double inset;
