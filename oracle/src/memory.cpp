@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/oracle/memory.h"
 
+#include <CGAL/Gmpzf.h>
 #include <gmp.h>
 
 #include <cstddef>
 #include <cstdlib>
+#include <mutex>
 #include <new>
 
 namespace occlude::oracle {
@@ -18,13 +20,46 @@ void* checked(void* memory) {
 // The libraries are C. They are compiled so that exceptions pass through them, and the functions that ask for memory hold
 // nothing that must be given back.
 
-void* allocate(std::size_t bytes) { return checked(std::malloc(bytes)); }
+/// The first difference of two numbers on a thread registers a destructor, for which the C library ends the program when it
+/// finds no memory. It takes less than a page: that there is one is found out before, where an exception can say that there
+/// is none.
+void register_destructors() {
+  constexpr std::size_t kPage = 4096;
+  std::free(checked(std::malloc(kPage)));
+  CGAL::Gmpzf one(1);
+  one -= CGAL::Gmpzf(0.5);
+}
+
+void* allocate(std::size_t bytes) {
+  static thread_local bool has_registered = false;
+  void* memory = checked(std::malloc(bytes));
+  if (!has_registered) {
+    has_registered = true;
+    try {
+      register_destructors();
+    } catch (...) {
+      has_registered = false;
+      std::free(memory);
+      throw;
+    }
+  }
+  return memory;
+}
+
 void* reallocate(void* memory, std::size_t, std::size_t bytes) { return checked(std::realloc(memory, bytes)); }
 void release(void* memory, std::size_t) { std::free(memory); }
 
 }  // namespace
 
-// MPFR takes its memory from GMP.
-void throw_when_memory_is_out() { mp_set_memory_functions(allocate, reallocate, release); }
+// MPFR takes its memory from GMP. CGAL computes exact numbers within std::call_once(): the first exception through that
+// makes the C library load what it unwinds with, or end the program where there is no memory for it.
+void throw_when_memory_is_out() {
+  mp_set_memory_functions(allocate, reallocate, release);
+  try {
+    std::once_flag once;
+    std::call_once(once, [] { throw std::bad_alloc(); });
+  } catch (const std::bad_alloc&) {  // as was asked
+  }
+}
 
 }  // namespace occlude::oracle
