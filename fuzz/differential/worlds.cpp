@@ -387,7 +387,9 @@ class WorldJudge {
     if (std::string wrong = fault_of_list(options); !wrong.empty()) return wrong;
     if (std::string wrong = fault_of_proofs(camera, options); !wrong.empty()) return wrong;
     if (std::string wrong = fault_of_fates(camera, options); !wrong.empty()) return wrong;
-    return !options.is_adaptive && random_.chance(0.3) ? fault_beside_scene_anew(camera, options) : "";
+    // What a budget is spent on depends on the groups that the changes have made.
+    const bool is_whole = options.cover.work == SceneOptions{}.cover.work;
+    return !options.is_adaptive && random_.chance(0.3) && is_whole ? fault_beside_scene_anew(camera, options) : "";
   }
 
   /// Whether each object in a layer of the frame is listed or counted once.

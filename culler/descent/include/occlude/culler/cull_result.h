@@ -120,7 +120,8 @@ struct CoverOptions {
   int width = 576, height = 360;
   /// The most work: boxes that are asked, and kWorkOfTriangle for each triangle that is drawn into the picture. One that is
   /// drawn again with what touches it counts again. On every machine the same frame is the same. In a Scene, objects are all
-  /// asked, because each is listed anyway; occluders have three quarters.
+  /// asked, because each is listed anyway; occluders have three quarters, and how far that goes also depends on the changes
+  /// that the scene has had.
   std::size_t work = (std::numeric_limits<std::size_t>::max)();
   /// The most milliseconds, about: frames of the models tried take up to a quarter more, and what the view frustum alone
   /// takes. What is culled then depends on the machine's speed.
