@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -20,6 +21,7 @@
 
 #include "cover/cover_group.h"
 #include "cover/cover_triangles.h"
+#include "cover/cull_budget.h"
 #include "cover/hiding_meshes.h"
 #include "cover/worth_of_hiding.h"
 #include "frame/view_memory.h"
@@ -334,6 +336,36 @@ TEST(CoverFrame, ABudgetIsKept) {
   }
   EXPECT_EQ(last, culled(whole)) << "with more than enough, nothing is lost";
   EXPECT_GT(last, 0U);
+}
+
+/// A budget of so many milliseconds, of which so many have passed, and more pass while it is asked.
+CullBudget budget_of(double ms, double passed) {
+  CoverOptions options;
+  options.ms = ms;
+  const std::chrono::duration<double, std::milli> before(passed);
+  return {options, CullBudget::Clock::now() - std::chrono::duration_cast<CullBudget::Clock::duration>(before)};
+}
+
+/// Minutes lie between the times that are asked for and those at which the answers change.
+TEST(Budget, LeavesTimeForAskingAndForTheEndOfTheFrame) {
+  constexpr double kHour = 3.6e6;
+  for (const double passed : {0.0, 0.6, 0.7}) EXPECT_TRUE(budget_of(kHour, passed * kHour).spend(1)) << passed;
+  for (const double passed : {0.8, 0.9}) {
+    CullBudget budget = budget_of(kHour, passed * kHour);
+    EXPECT_FALSE(budget.spend(1)) << passed;
+    budget.begin_asking();
+    EXPECT_TRUE(budget.spend(1)) << passed;
+    EXPECT_EQ(budget.work(), (CoverWork{0, 1, budget.worth()}));
+  }
+  // What is left is needed to end the frame.
+  constexpr double kEnd = 0.08;
+  for (const double ms : {kEnd, kHour}) {
+    CullBudget budget = budget_of(ms, ms - kEnd);
+    EXPECT_FALSE(budget.spend(1)) << ms;
+    budget.begin_asking();
+    EXPECT_FALSE(budget.spend(1)) << ms;
+    EXPECT_TRUE(budget.is_spent());
+  }
 }
 
 TEST(CoverFrame, WithoutABudgetNothingIsAskedOrDrawn) {
