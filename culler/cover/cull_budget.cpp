@@ -25,11 +25,10 @@ constexpr double kGuess = 25e-6;
 constexpr std::size_t kWorkOfGuess = 4096;
 
 /// Milliseconds of what a frame does once its budget is spent, however large that was: it draws what is left in view, and
-/// puts all in order. On an AMD EPYC that takes 0.1 ms, and 0.2 ms in the slowest frames, of which 0.04 ms are what the view
-/// frustum takes alone. With 0.05 here, the slowest of a hundred frames of a quarter of a millisecond take up to 0.06 ms
-/// longer than a quarter more than the budget and what the view frustum takes. With 0.09, they take 0.01 ms
-/// longer on some paths, and frames of a quarter of a millisecond cull a quarter to a half less. Those of a millisecond and
-/// more cull as much.
+/// puts all in order. On an AMD EPYC that takes 0.1 ms, and 0.2 ms in the slowest frames, of which the view frustum alone
+/// takes 0.04. With 0.05 here, budgets of a quarter of a millisecond are exceeded by 0.06 ms beyond the quarter more and the
+/// time of the view frustum that they may take; with 0.09, by 0.01 ms on some paths. Such frames then cull a quarter to a
+/// half less, and those of a millisecond and more as much.
 constexpr double kEnd = 0.09;
 
 /// How many triangles a frame could draw with the budget.
