@@ -21,7 +21,9 @@ std::uint64_t pixels_of_tile(const PixelRectangle& r, int x, int y) {
 void HidingMeshes::begin(const CoverBuffer& buffer) {
   tiles_across_ = buffer.picture().width() / kTile;
   tiles_up_ = buffer.picture().height() / kTile;
-  hidden_.assign(static_cast<std::size_t>(tiles_across_ * tiles_up_), 0);
+  const auto tiles = static_cast<std::size_t>(tiles_across_ * tiles_up_);
+  if (hidden_.size() != tiles) hidden_ = std::vector<std::atomic<std::uint64_t>>(tiles);
+  for (auto& hidden : hidden_) hidden.store(0, std::memory_order_relaxed);
 }
 
 void HidingMeshes::hide(const PixelRectangle& pixels) {
@@ -29,7 +31,7 @@ void HidingMeshes::hide(const PixelRectangle& pixels) {
             y1 = std::min((pixels.y1 + kTile - 1) / kTile, tiles_up_);
   for (int y = std::max(pixels.y0 / kTile, 0); y < y1; ++y) {
     for (int x = std::max(pixels.x0 / kTile, 0); x < x1; ++x) {
-      std::atomic_ref hidden(hidden_[static_cast<std::size_t>(y * tiles_across_ + x)]);
+      auto& hidden = hidden_[static_cast<std::size_t>(y * tiles_across_ + x)];
       hidden.fetch_or(pixels_of_tile(pixels, x, y), std::memory_order_relaxed);
     }
   }
@@ -40,9 +42,10 @@ void HidingMeshes::find(std::span<CoverBuffer::Closing> closings) {
   auto first = closings.end();
   for (auto closing = closings.end(); closing != closings.begin();) {
     --closing;
-    std::uint64_t& hidden = hidden_[closing->tile];
-    closing->pixels &= hidden;
-    hidden &= ~closing->pixels;
+    auto& hidden = hidden_[closing->tile];
+    const std::uint64_t pixels = hidden.load(std::memory_order_relaxed);
+    closing->pixels &= pixels;
+    hidden.store(pixels & ~closing->pixels, std::memory_order_relaxed);
     if (closing->pixels != 0) *--first = *closing;
   }
   closings_ = {first, closings.end()};

@@ -2,6 +2,7 @@
 // Which of the meshes that were drawn into a picture hid something in it.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,7 +35,7 @@ class HidingMeshes {
   [[nodiscard]] std::span<const CoverBuffer::Closing> of(std::uint32_t id) const;
 
   int tiles_across_ = 0, tiles_up_ = 0;
-  std::vector<std::uint64_t> hidden_;               ///< of each tile, the pixels in which something is hidden
+  std::vector<std::atomic<std::uint64_t>> hidden_;  ///< of each tile, the pixels in which something is hidden
   std::span<const CoverBuffer::Closing> closings_;  ///< in which something is hidden, in order
 };
 
