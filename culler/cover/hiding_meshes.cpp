@@ -22,8 +22,8 @@ void HidingMeshes::begin(const CoverBuffer& buffer) {
   tiles_across_ = buffer.picture().width() / kTile;
   tiles_up_ = buffer.picture().height() / kTile;
   const auto tiles = static_cast<std::size_t>(tiles_across_ * tiles_up_);
-  if (hidden_.size() != tiles) hidden_ = std::vector<std::atomic<std::uint64_t>>(tiles);
-  for (auto& hidden : hidden_) hidden.store(0, std::memory_order_relaxed);
+  if (hidden_.size() < tiles) hidden_ = std::vector<std::atomic<std::uint64_t>>(tiles);
+  for (auto& hidden : std::span(hidden_).first(tiles)) hidden.store(0, std::memory_order_relaxed);
 }
 
 void HidingMeshes::hide(const PixelRectangle& pixels) {

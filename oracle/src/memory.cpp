@@ -17,9 +17,6 @@ void* checked(void* memory) {
   return memory;
 }
 
-// The libraries are C. They are compiled so that exceptions pass through them, and the functions that ask for memory hold
-// nothing that must be given back.
-
 /// The first difference of two numbers on a thread registers a destructor, for which the C library ends the program when it
 /// finds no memory. It takes less than a page: that there is one is found out before, where an exception can say that there
 /// is none.
@@ -30,22 +27,25 @@ void register_destructors() {
   one -= CGAL::Gmpzf(0.5);
 }
 
-void* allocate(std::size_t bytes) {
-  static thread_local bool has_registered = false;
-  void* memory = checked(std::malloc(bytes));
-  if (!has_registered) {
-    has_registered = true;
-    try {
-      register_destructors();
-    } catch (...) {
-      has_registered = false;
-      std::free(memory);
-      throw;
-    }
+void prepare_thread() {
+  static thread_local bool is_prepared = false;
+  if (is_prepared) return;
+  is_prepared = true;  // the numbers ask for memory themselves
+  try {
+    register_destructors();
+  } catch (...) {
+    is_prepared = false;
+    throw;
   }
-  return memory;
 }
 
+// The libraries are C. They are compiled so that exceptions pass through them, and the functions that ask for memory hold
+// nothing that must be given back.
+
+void* allocate(std::size_t bytes) {
+  prepare_thread();
+  return checked(std::malloc(bytes));
+}
 void* reallocate(void* memory, std::size_t, std::size_t bytes) { return checked(std::realloc(memory, bytes)); }
 void release(void* memory, std::size_t) { std::free(memory); }
 
