@@ -2,6 +2,7 @@
 #include "cover/cover_painter.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cover/worth_drawing.h"
 
@@ -10,6 +11,12 @@ namespace {
 
 /// A side of the coarse picture, rounded up to whole tiles.
 int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile; }
+
+/// By how much the sides of the picture are smaller than asked for, because of the budget.
+double scale(const CoverOptions& options) {
+  const double asked = static_cast<double>(side(options.width)) * side(options.height);
+  return std::sqrt(std::min(1.0, pixels_of_budget(static_cast<double>(triangles_of(options))) / asked));
+}
 
 /// Memory is reserved for groups of this many triangles. Nearly all groups of the models tried have fewer; a larger one
 /// allocates more.
@@ -26,7 +33,10 @@ CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, d
                            CullStats& stats)
     : memory_(memory), stats_(stats), next_join_(kFirstJoin) {
   const CullBudget::Clock::time_point start = CullBudget::Clock::now();
-  memory.buffer.begin(view, side(options.width), side(options.height), margin);
+  const double smaller = scale(options);
+  const int width = side(static_cast<int>(smaller * side(options.width))),
+            height = side(static_cast<int>(smaller * side(options.height)));
+  memory.buffer.begin(view, width, height, margin);
   memory.buffer.reserve(kRoom);
   memory.group.reserve(kRoom);
   memory.taken.clear();
@@ -35,7 +45,7 @@ CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, d
     memory.stamps = {};
     memory.stamp = 1;
   }
-  budget_ = CullBudget(options, start);
+  budget_ = CullBudget(options, width * height, start);
 }
 
 void CoverPainter::use(const CoverSource& source) {

@@ -26,28 +26,29 @@ constexpr std::size_t kWorkOfGuess = 4096;
 
 /// Milliseconds of what a frame does once its budget is spent, however large that was: it draws what is left in view, and
 /// puts all in order. On an AMD EPYC that takes 0.1 ms, and 0.2 ms in the slowest frames, of which the view frustum alone
-/// takes 0.04. With 0.05 here, budgets of a quarter of a millisecond are exceeded by 0.06 ms beyond the quarter more and the
-/// time of the view frustum that they may take; with 0.09, by 0.01 ms on some paths. Such frames then cull a quarter to a
-/// half less, and those of a millisecond and more as much.
-constexpr double kEnd = 0.09;
-
-/// How many triangles a frame could draw with the budget.
-double triangles_of(const CoverOptions& options) {
-  return std::min(static_cast<double>(options.work), options.ms / kGuess) / double{CoverOptions::kWorkOfTriangle};
-}
+/// takes 0.04. With this, frames keep to the quarter more and the time of the view frustum that they may take, on all paths
+/// tried. With 0.05, some exceed it by 0.05 ms.
+constexpr double kEnd = 0.08;
 
 }  // namespace
 
-CullBudget::CullBudget(const CoverOptions& options, Clock::time_point start)
+std::size_t triangles_of(const CoverOptions& options) {
+  if (options.as_before) return options.as_before->work.triangles;
+  const double timed = options.ms > 0 ? options.ms / kGuess : 0;
+  const std::size_t work = timed < static_cast<double>(options.work) ? static_cast<std::size_t>(timed) : options.work;
+  return work / CoverOptions::kWorkOfTriangle;
+}
+
+CullBudget::CullBudget(const CoverOptions& options, int pixels, Clock::time_point start)
     : is_timed_(options.ms != std::numeric_limits<double>::infinity() && !options.as_before),
-      worth_(worth_of_budget(options.width * options.height, triangles_of(options))),
+      triangles_(triangles_of(options)),
+      worth_(worth_of_budget(pixels, static_cast<double>(triangles_))),
       most_(options.work - options.work / kShareOfAsking),
       most_asking_(options.work / kShareOfAsking) {
   if (options.as_before) {
     const CoverWork& work = options.as_before->work;
     most_ = work.drawing;
     most_asking_ = work.asking;
-    worth_ = work.worth;
   }
   if (!is_timed_) return;
   begin_ = Clock::now();

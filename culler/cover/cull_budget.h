@@ -18,6 +18,9 @@ namespace occlude::culler {
 /// drawn: both are put in order. With less, frames take longer than their budget: by a fifth of 1 ms above a landscape.
 inline constexpr std::size_t kWorkOfSeen = 3, kWorkOfKept = 1;
 
+/// How many triangles a frame could draw with its budget.
+[[nodiscard]] std::size_t triangles_of(const CoverOptions& options);
+
 /// Work is counted as CoverOptions::work says.
 class CullBudget {
  public:
@@ -25,8 +28,8 @@ class CullBudget {
 
   /// One that has no end.
   CullBudget() = default;
-  /// Time counts from `start`, when the frame began. Work begins now.
-  CullBudget(const CoverOptions& options, Clock::time_point start);
+  /// Of a frame whose picture has so many pixels. Time counts from `start`, when the frame began. Work begins now.
+  CullBudget(const CoverOptions& options, int pixels, Clock::time_point start);
 
   /// Spends so much if it is left. Otherwise nothing is left from here on.
   bool spend(std::size_t work) {
@@ -51,7 +54,7 @@ class CullBudget {
 
   /// What was spent. A frame as_before with it is the same.
   [[nodiscard]] CoverWork work() const {
-    return is_asking_ ? CoverWork{drawing_, used_, worth_} : CoverWork{used_, 0, worth_};
+    return is_asking_ ? CoverWork{drawing_, used_, triangles_} : CoverWork{used_, 0, triangles_};
   }
   /// Through how many pixels a leaf must be seen to be worth drawing.
   [[nodiscard]] int worth() const { return worth_; }
@@ -65,6 +68,7 @@ class CullBudget {
   bool is_too_late(std::size_t work);
 
   bool is_timed_ = false, is_spent_ = false, is_asking_ = false;
+  std::size_t triangles_ = kNoLimit;
   int worth_ = 0;
   std::size_t most_ = kNoLimit, most_asking_ = kNoLimit;
   std::size_t used_ = 0;                        ///< for drawing, or for asking

@@ -52,15 +52,16 @@ class WorthOfHiding {
   void learn(std::size_t hidden, std::size_t drawn, const CoverWork& work) {
     if (frame_ == Frame::rests) return;
     if (frame_ <= Frame::looks) is_cheap_ = work.drawing + work.asking < cheap;
-    const auto now = static_cast<double>(hidden), all = static_cast<double>(hidden + drawn);
+    const Sums now{static_cast<double>(hidden), static_cast<double>(hidden + drawn),
+                   static_cast<double>(work.drawing + work.asking)};
     if (is_first_) {
-      begin_mean(kHoped * all, all);
+      sums_ = now.of_frames(kFramesOfFirst);
+      sums_.hidden = kHoped * sums_.all;
     } else if (!pays()) {
-      begin_mean(now, all);
+      sums_ = now.of_frames(kFramesOfFirst);
     }
     is_first_ = false;
-    hidden_ += now - hidden_ / kFrames;
-    all_ += all - all_ / kFrames;
+    sums_.add(now);
     if (frame_ == Frame::looks) interval_ = pays() ? kInterval : std::min(2 * interval_, kMostInterval);
   }
 
@@ -70,8 +71,10 @@ class WorthOfHiding {
   static constexpr std::size_t kInterval = 6, kMostInterval = 48;
   /// Hiding pays while at least this share of what was in view in the last frames, each counted by how much it had in view,
   /// was hidden. Where all is drawn, that costs at most a third more than without what is hidden. Above landscapes it is a
-  /// fifth. Of the paths through Sponza, where up to sixty frames in a row hide less than a quarter, all still pays.
-  static constexpr double kLeastShare = 0.25, kFrames = 32;
+  /// fifth. Of the paths through Sponza, where up to sixty frames in a row hide less than a quarter, all still pays. Frames
+  /// that take less than this much work, 2.3 ms on an AMD EPYC, need hide less by as much: a budget that is larger then also
+  /// hides more.
+  static constexpr double kLeastShare = 0.25, kFrames = 32, kWorkOfShare = 98304;
   /// What the first frame finds counts for the share of all that it is hoped to be, in so many frames. So a view that begins
   /// with a poor frame looks for twenty more.
   static constexpr double kHoped = 0.35, kFramesOfFirst = 8;
@@ -83,18 +86,29 @@ class WorthOfHiding {
   [[nodiscard]] bool is_elsewhere(const FrameView& view) const {
     return glm::dot(forward_, view.axes.forward) < kCosineOfTurn || glm::distance(eye_, view.eye) > kMove * view.depth;
   }
-  [[nodiscard]] bool pays() const { return hidden_ >= kLeastShare * all_; }
-  /// As if some frames had hidden so much.
-  void begin_mean(double hidden, double all) {
-    hidden_ = kFramesOfFirst * hidden;
-    all_ = kFramesOfFirst * all;
+  [[nodiscard]] bool pays() const {
+    return sums_.hidden >= kLeastShare * std::min(1.0, sums_.work / sums_.frames / kWorkOfShare) * sums_.all;
   }
+
+  /// Sums over the last frames, in which older ones count for less.
+  struct Sums {
+    double hidden = 0, all = 0, work = 0, frames = 1;
+
+    /// Of so many frames like this one.
+    [[nodiscard]] Sums of_frames(double n) const { return {n * hidden, n * all, n * work, n}; }
+    void add(const Sums& frame) {
+      hidden += frame.hidden - hidden / kFrames;
+      all += frame.all - all / kFrames;
+      work += frame.work - work / kFrames;
+      frames += 1 - frames / kFrames;
+    }
+  };
 
   Frame frame_ = Frame::looks;
   std::size_t interval_ = kInterval, since_look_ = kInterval;  ///< the first frame looks
   glm::dvec3 eye_{}, forward_{};                               ///< of the frame that looked
   bool is_first_ = true, is_cheap_ = false;
-  double hidden_ = 0, all_ = 0;  ///< the sums over the last frames
+  Sums sums_;
 };
 
 }  // namespace occlude::culler

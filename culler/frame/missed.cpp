@@ -9,6 +9,7 @@
 #include "camera/frame_view.h"
 #include "camera/shadow_rule.h"
 #include "camera/sound_camera.h"
+#include "cover/cull_budget.h"
 #include "frame/culler_access.h"
 #include "frame/frame_cover.h"
 #include "frusta/plane_work.h"
@@ -38,7 +39,8 @@ void MissedReasons::find_what_hides(const AnyCamera& camera, const CullOptions& 
     return;
   }
   cover_ = cover_of(culler_, camera, repeated(frame_, options));
-  if (frame_.stats.cover_groups_left == 0 && frame_.stats.unasked_polygons == 0 && frame_.idle.empty()) return;
+  const bool has_budget = triangles_of(options.cover) < triangles_of(CoverOptions{});
+  if (!has_budget && frame_.stats.unasked_polygons == 0 && frame_.idle.empty()) return;
   CullOptions unlimited = options;
   unlimited.cover.work = std::numeric_limits<std::size_t>::max();
   unlimited.cover.ms = std::numeric_limits<double>::infinity();

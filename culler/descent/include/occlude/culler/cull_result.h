@@ -95,7 +95,9 @@ inline constexpr int kLeastCoverSide = 64, kMostCoverSide = 4096;
 struct CoverWork {
   std::size_t drawing = 0;  ///< work until it drew no more into the picture, as CoverOptions::work counts it
   std::size_t asking = 0;   ///< after that, asking what was left
-  int worth = 0;  ///< through how many pixels a leaf had to be seen to be drawn, if that is more than without a budget
+  /// How many triangles its budget seemed to allow: with few, its picture was smaller, and only large leaves were drawn
+  /// first.
+  std::size_t triangles = (std::numeric_limits<std::size_t>::max)();
 
   friend bool operator==(const CoverWork&, const CoverWork&) = default;
 };
@@ -116,7 +118,7 @@ struct CoverOptions {
   static constexpr std::size_t kWorkOfTriangle = 16;
 
   /// The size in pixels, clamped to the limits above and then rounded up to multiples of 8. A larger picture hides more and
-  /// costs more.
+  /// costs more: with a tight budget it is smaller than this, of the same shape.
   int width = 576, height = 360;
   /// The most work: boxes that are asked, and kWorkOfTriangle for each triangle that is drawn into the picture. One that is
   /// drawn again with what touches it counts again. On every machine the same frame is the same. In a Scene, objects are all
@@ -134,8 +136,8 @@ struct CoverOptions {
 struct CullOptions {
   /// By `automatic`, frames are by cover, and those of a view save work where it does not pay. What neither hides anything
   /// nor is hidden is idle in the next five frames: it is drawn unasked. Where frames hide less than a quarter of what is
-  /// in view, later ones hide nothing, but for one in 48, until there is more to hide. Frames that take less than about
-  /// 0.3 ms, and those without a view, are as by cover.
+  /// in view, or of little work less in proportion, later ones hide nothing, but for one in 48, until there is more to hide.
+  /// Frames that take less than about 0.3 ms, and those without a view, are as by cover.
   Method method = Method::automatic;
   /// Cover. The coarse picture.
   CoverOptions cover = {};

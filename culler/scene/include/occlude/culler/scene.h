@@ -90,9 +90,9 @@ struct SceneOptions {
   bool is_to_be_held = false;
   /// Whether the frames of a view save work where it does not pay. One in six looks at everything, and the others leave out
   /// the occluders that hid nothing then, unless they have changed since. Where less than a quarter of the objects in view
-  /// was hidden, later frames hide nothing, and one in 48 looks. A view that turns or moves far looks at once.
-  /// Nothing is saved in frames that take less than about 0.3 ms, are of several eyes or are to be held. Otherwise a frame
-  /// does not depend on those before it.
+  /// was hidden, or in frames of little work less in proportion, later frames hide nothing, and one in 48 looks. A view that
+  /// turns or moves far looks at once. Nothing is saved in frames that take less than about 0.3 ms, are of several eyes or
+  /// are to be held. Otherwise a frame does not depend on those before it.
   bool is_adaptive = true;
   /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
   /// result is the same, and so is the order of the list. What it throws is thrown on, and all objects that take part are
