@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "occlude/render/formats.h"
 #include "occlude/render/interrupt.h"
 
@@ -59,7 +61,7 @@ ordered_json json_of(const SeenPolygon& polygon, const LoggedFrame& frame, const
   const oracle::Viewpoint view = proof::viewpoint_of(frame.camera);
   line[view.at_infinity ? "direction" : "eye"] = view.value;
   line["through"] = point(polygon.through);
-  line["pixel"] = {polygon.pixel.x, polygon.pixel.y};
+  line["pixel"] = {std::lround(std::floor(polygon.pixel.x)), std::lround(std::floor(polygon.pixel.y))};
   return line;
 }
 

@@ -30,16 +30,17 @@ void require_sound(const AnyCamera& camera) {
 
 /// A camera whose picture has all that the matrix shows.
 culler::Camera around(const culler::MatrixCamera& camera) {
-  require_sound(camera);
-  if (!camera.viewpoint().is_eye()) {
+  const glm::dmat4& m = camera.matrix;
+  if (m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0) {
     throw LineError("the matrix has parallel rays: give \"eye\", \"target\" and \"projection\":\"orthographic\"");
   }
+  require_sound(camera);
   try {
     culler::Camera shown = culler::ahead(camera, {}, 0, {.aside = 0, .up = 0});
     shown.eyes = {};
     return shown;
   } catch (const std::invalid_argument& error) {
-    throw LineError("the camera: no picture can be drawn of it: " + std::string(error.what()));
+    throw LineError("the camera: " + std::string(error.what()));
   }
 }
 

@@ -56,8 +56,8 @@ ObjectRecord BinaryRecords::object() {
 
 FrameRecord BinaryRecords::frame(bool by_matrix) {
   FrameRecord frame;
-  std::uint32_t what = 0, count = 0;
-  for (std::uint32_t* field : {&frame.frame, &frame.width, &frame.height, &what, &count}) *field = number<std::uint32_t>();
+  std::uint32_t what = 0;
+  for (std::uint32_t* field : {&frame.frame, &frame.width, &frame.height, &what}) *field = number<std::uint32_t>();
   if (what > kAll) throw LineError("what is listed is neither culled nor drawn: " + std::to_string(what));
   frame.is_drawn = (what & kDrawn) != 0;
   frame.is_of_objects = (what & kOfObjects) != 0;
@@ -76,6 +76,7 @@ FrameRecord BinaryRecords::frame(bool by_matrix) {
     for (double* value : {&camera.fov_y_deg, &camera.near_plane, &camera.far_plane}) *value = number<double>();
     frame.camera = camera;
   }
+  const auto count = number<std::uint32_t>();
   if (!frame.is_of_objects) frame.polygons = ranges(count);
   for (std::uint32_t i = 0; frame.is_of_objects && i < count; ++i) frame.objects.push_back(number<std::uint32_t>());
   return frame;
