@@ -38,16 +38,9 @@ int main() {
 
   // By the matrix with which the frame is drawn: here along x, z up, 60 degrees, 16:9, near plane at .1, none far.
   for (std::uint32_t i = 0; i < 4; ++i) {
-    const double x = 0.1 * i, f = std::sqrt(3.0), near = 0.1;
-    const double matrix[16] = {0,           0, 1,
-                               1,  // what x is multiplied by
-                               -f * 9 / 16, 0, 0,
-                               0,  // y
-                               0,           f, 0,
-                               0,  // z
-                               0,           0, -x - 2 * near,
-                               -x};  // 1
-    log.frame({i, 1280, 720}, matrix, cull_log::minus_w_to_w, cull_log::culled, squares);
+    const double x = 0.1 * i, f = std::sqrt(3.0), z_near = 0.1;
+    const double columns[4][4] = {{0, 0, 1, 1}, {-f * 9 / 16, 0, 0, 0}, {0, f, 0, 0}, {0, 0, -x - 2 * z_near, -x}};
+    log.frame({i, 1280, 720}, columns[0], cull_log::minus_w_to_w, cull_log::culled, squares);
   }
 
   // By eye and target, and by what is drawn.

@@ -42,10 +42,10 @@ class Writer {
   }
   /// A frame by eye, target and up, with the full vertical angle of view in degrees, and near and far planes.
   template <class Listed>
-  void frame(const Frame& f, const double* eye, const double* target, const double* up, double fov, double near, double far,
-             What what, const std::vector<Listed>& list) {
+  void frame(const Frame& f, const double* eye, const double* target, const double* up, double fov, double near_plane,
+             double far_plane, What what, const std::vector<Listed>& list) {
     put(kEyeFrame), put(f.number), put(f.width), put(f.height), put(what | kind_of(list));
-    put(eye, 3), put(target, 3), put(up, 3), put(&fov, 1), put(&near, 1), put(&far, 1), put(list);
+    put(eye, 3), put(target, 3), put(up, 3), put(&fov, 1), put(&near_plane, 1), put(&far_plane, 1), put(list);
   }
 
  private:

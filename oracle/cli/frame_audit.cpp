@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <variant>
@@ -53,74 +55,79 @@ class Suspects {
  public:
   Suspects(const culler::Hierarchy& hierarchy, const LoggedFrame& frame, const std::vector<bool>& culled,
            const std::vector<State>& states)
-      : hierarchy_(hierarchy), frame_(frame), culled_(culled), rays_(hierarchy, frame.camera, culled_) {
+      : hierarchy_(hierarchy), frame_(frame), rays_(hierarchy, frame.camera, culled) {
     for (std::uint32_t p = 0; p < states.size(); ++p) {
-      if (culled[p] && states[p] == State::open) polygons_.push_back(p);
-    }
-    is_suspect_.resize(states.size());
-    for (const std::uint32_t p : polygons_) is_suspect_[p] = true;
-  }
-
-  [[nodiscard]] bool empty() const { return polygons_.empty(); }
-
-  /// Looks for them in a picture: casts a ray through the pixels that show one.
-  void look_at(const render::ItemBuffer& items, const glm::dvec2& offset) {
-    const render::PixelRays pixels(frame_.shown, items.width, items.height);
-    std::vector<std::uint8_t> tries(is_suspect_.size());
-    for (const render::Items* layer : {static_cast<const render::Items*>(&items), &items.before}) {
-      for (int y = 0; y < layer->height; ++y) {
-        for (int x = 0; x < layer->width; ++x) {
-          const std::uint32_t p = layer->at(x, y);
-          if (p == render::kNothing || !is_suspect_[p] || tries[p] == kTries || seen_.contains(hierarchy_.face(p))) continue;
-          ++tries[p];
-          const auto [origin, direction] = pixels.ray(x + 0.5 - offset.x, y + 0.5 + offset.y);
-          const std::optional<dvec3> point = rays_.where(origin, direction, p);
-          if (point && rays_.shows(*point, p)) add(p, *point);
-        }
-      }
+      if (culled[p] && states[p] == State::open) open_.push_back(p);
     }
   }
 
-  /// Casts rays into those that are left. Returns the polygons of the file that are in the picture and not seen.
-  std::vector<std::uint32_t> cast(std::size_t rays) {
-    std::erase_if(polygons_, [&](std::uint32_t p) { return seen_.contains(hierarchy_.face(p)); });
+  /// Casts rays into them. Those outside of the picture are suspects no longer.
+  void cast(std::size_t rays) {
     struct Found {
       bool is_in_picture = false;
       std::optional<dvec3> point;
     };
-    std::vector<Found> found(polygons_.size());
-    culler::parallel_for(
-        polygons_.size(),
-        [&](std::size_t i) {
-          std::uint32_t hider = polygons_[i];
-          for_each_triangle(hierarchy_.soup(), polygons_[i], [&](const oracle::Triangle& triangle) {
-            const std::vector<dvec3> part = rays_.in_picture(triangle);
-            if (part.size() < 3) return;
-            found[i].is_in_picture = true;
-            for_each_point(part, rays, [&](const dvec3& point) {
-              if (found[i].point || !rays_.seems_clear(point, polygons_[i], hider)) return;
-              if (rays_.shows(point, polygons_[i])) found[i].point = point;
-            });
-          });
-        },
-        render::check_interrupt);
+    std::vector<Found> found(open_.size());
+    const auto cast_into = [&](std::size_t i) {
+      std::uint32_t hider = open_[i];
+      for_each_triangle(hierarchy_.soup(), open_[i], [&](const oracle::Triangle& triangle) {
+        const std::vector<dvec3> part = rays_.in_picture(triangle);
+        if (part.size() < 3) return;
+        found[i].is_in_picture = true;
+        for_each_point(part, rays, [&](const dvec3& point) {
+          if (found[i].point || !rays_.seems_clear(point, open_[i], hider)) return;
+          if (rays_.shows(point, open_[i])) found[i].point = point;
+        });
+      });
+    };
+    culler::parallel_for(open_.size(), cast_into, render::check_interrupt);
     std::vector<std::uint32_t> left;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (found[i].point) add(polygons_[i], *found[i].point);
+      if (found[i].point) {
+        add(open_[i], *found[i].point);
+      } else if (found[i].is_in_picture) {
+        left.push_back(open_[i]);
+      }
     }
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const std::uint32_t face = hierarchy_.face(polygons_[i]);
-      if (found[i].is_in_picture && !seen_.contains(face)) left.push_back(face);
+    open_ = std::move(left);
+    forget_seen();
+  }
+
+  /// Whether none is left.
+  [[nodiscard]] bool are_settled() const { return open_.empty(); }
+
+  /// Looks for them in a picture: casts a ray through pixels that show one.
+  void look_at(const render::ItemBuffer& items, const glm::dvec2& offset) {
+    const render::PixelRays pixels(frame_.shown, items.width, items.height);
+    std::vector<std::uint8_t> tries(hierarchy_.soup().size());  // that are left for each
+    for (const std::uint32_t p : open_) tries[p] = kTries;
+    for (const render::Items* layer : {static_cast<const render::Items*>(&items), &items.before}) {
+      for (int y = 0; y < layer->height; ++y) {
+        for (int x = 0; x < layer->width; ++x) {
+          const std::uint32_t p = layer->at(x, y);
+          if (p == render::kNothing || tries[p] == 0) continue;
+          --tries[p];
+          const auto [origin, direction] = pixels.ray(x + 0.5 - offset.x, y + 0.5 + offset.y);
+          const std::optional<dvec3> point = rays_.where(origin, direction, p);
+          if (!point || !rays_.shows(*point, p)) continue;
+          add(p, *point);
+          tries[p] = 0;
+        }
+      }
     }
-    std::ranges::sort(left);
-    left.erase(std::ranges::unique(left).begin(), left.end());
-    return left;
+    forget_seen();
   }
 
   [[nodiscard]] std::vector<SeenPolygon> seen() const {
     std::vector<SeenPolygon> result;
     for (const auto& [face, polygon] : seen_) result.push_back(polygon);
     return result;
+  }
+  /// The number of polygons of the file that are left.
+  [[nodiscard]] std::size_t unsettled() const {
+    std::set<std::uint32_t> faces;
+    for (const std::uint32_t p : open_) faces.insert(hierarchy_.face(p));
+    return faces.size();
   }
 
  private:
@@ -163,12 +170,15 @@ class Suspects {
     seen_.try_emplace(hierarchy_.face(p), SeenPolygon{hierarchy_.face(p), p, point, pixel_of(frame_, point)});
   }
 
+  /// Of a polygon in pieces, one that is seen is enough.
+  void forget_seen() {
+    std::erase_if(open_, [&](std::uint32_t p) { return seen_.contains(hierarchy_.face(p)); });
+  }
+
   const culler::Hierarchy& hierarchy_;
   const LoggedFrame& frame_;
-  const std::vector<bool>& culled_;
   FrameRays rays_;
-  std::vector<std::uint32_t> polygons_;
-  std::vector<bool> is_suspect_;
+  std::vector<std::uint32_t> open_;            ///< the suspects that are left
   std::map<std::uint32_t, SeenPolygon> seen_;  ///< by the polygon of the file
 };
 
@@ -193,11 +203,12 @@ FrameAudit Auditor::judge(const LoggedFrame& frame) {
   FrameAudit audit;
   audit.frame = frame.number;
   Suspects suspects(hierarchy, frame, culled, states);
-  for (std::size_t turn = 0; !suspects.empty() && turn < options_.item_buffers; ++turn) {
+  suspects.cast(options_.rays);
+  for (std::size_t turn = 0; !suspects.are_settled() && turn < options_.item_buffers; ++turn) {
     const glm::dvec2 offset = ItemBuffers::offset_of(turn);
     suspects.look_at(renderer(frame).item_buffer(frame.shown, result.drawn, offset), offset);
   }
-  audit.unsettled = suspects.cast(options_.rays).size();
+  audit.unsettled = suspects.unsettled();
   audit.visible = suspects.seen();
   const std::vector<State> of_file = states_of_file(hierarchy, states);
   for (std::size_t p = 0; p < of_file.size(); ++p) {

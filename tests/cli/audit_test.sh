@@ -105,10 +105,11 @@ echo "{\"frame\":0,$eye,\"culled\":[[1,3]]}" >touching.jsonl
 judge touching.ply touching.jsonl 0
 echo "{\"frame\":0,$eye,\"culled\":[0,1,3]}" >touching.jsonl
 judge touching.ply touching.jsonl 3
-# A thing that is an ulp larger than the shadow shows.
+# What shows of a thing that is larger than the shadow by an ulp is too narrow for any ray: it is unsettled.
 sed 's/^4 2 0$/4 2.0000000000000004 0/' touching.ply >larger.ply
 echo "{\"frame\":0,$eye,\"culled\":[2]}" >larger.jsonl
 judge larger.ply larger.jsonl 0
+judged unsettled 1
 sed 's/^4 2 0$/4 2.001 0/' touching.ply >larger.ply
 judge larger.ply larger.jsonl 1 --item-buffers 0
 
