@@ -80,12 +80,15 @@ std::optional<LoggedFrame> CullLog::next() {
 }
 
 void CullLog::require(const std::vector<culler::PolygonRange>& ranges) const {
+  std::uint64_t listed = 0;
   for (const auto& [first, count] : ranges) {
     const std::uint64_t end = std::uint64_t{first} + count;
     if (end > polygons_) {
-      throw LineError(fmt::format("polygons {} to {}: the model has {}", first, end == first ? first : end - 1, polygons_));
+      throw LineError(fmt::format("polygons {} to {}: the model has {}", first, count == 0 ? first : end - 1, polygons_));
     }
+    listed += count;
   }
+  if (listed > polygons_) throw LineError("it lists polygons twice");
 }
 
 void CullLog::add(const ObjectRecord& object) {
@@ -112,9 +115,11 @@ std::vector<bool> CullLog::culled_by(const FrameRecord& frame) const {
   if (frame.is_drawn) {
     for (const auto& [id, polygons] : objects_) mark(culled, polygons, true);
   }
+  std::set<std::uint32_t> listed;
   for (const std::uint32_t id : frame.objects) {
     const auto object = objects_.find(id);
     if (object == objects_.end()) throw LineError(fmt::format("no object {}", id));
+    if (!listed.insert(id).second) throw LineError(fmt::format("it lists object {} twice", id));
     mark(culled, object->second, !frame.is_drawn);
   }
   return culled;

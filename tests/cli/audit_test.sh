@@ -184,10 +184,13 @@ bad 'the camera: ' "{\"frame\":1,${matrix/1.7320508075688772/0},\"culled\":[]}"
 bad '"matrix": expected 16 numbers' '{"frame":1,"matrix":[1],"width":320,"height":180,"culled":[]}'
 bad 'the matrix has parallel rays' '{"frame":1,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"width":320,"height":180,"culled":[]}'
 bad '"order": expected "column" or "row"' "{\"frame\":1,${matrix/\"row\"/\"rows\"},\"culled\":[]}"
+bad 'it lists polygons twice' "{\"frame\":1,$eye,\"culled\":[[0,64],0]}"
 bad 'no object 5' "{\"frame\":1,$eye,\"culled_objects\":[5]}"
 bad 'polygons 64 to 64' '{"object":5,"polygons":[64]}'
 bad 'unknown member "name"' '{"object":5,"name":"a","polygons":[]}'
 bad 'polygon 3 belongs to object 5 already' '{"object":5,"polygons":[3,3]}'
+printf '%b' "$objects{\"frame\":1,$eye,\"culled_objects\":[7,7]}\n" >bad.jsonl
+expect_error 'bad.jsonl:3: it lists object 7 twice' "$occlude" audit good.ply --log bad.jsonl
 printf '%b{"object":7,"polygons":[]}\n' "$objects" >bad.jsonl
 expect_error 'bad.jsonl:3: object 7 is there twice' "$occlude" audit good.ply --log bad.jsonl
 printf '%b' "$objects" >bad.jsonl
