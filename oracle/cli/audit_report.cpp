@@ -43,9 +43,10 @@ void AuditSums::add(const FrameAudit& frame) {
 
 std::string to_text(const AuditSums& sums) {
   const auto line = [](std::size_t count, const std::string& text) { return fmt::format("{:>14}  {}\n", count, text); };
-  return line(sums.frames, "frames") + line(sums.culled, "polygons culled in view, over all frames; of them") +
-         line(sums.visible, fmt::format("visible: false culls, in {} frames, each with an exact ray", sums.wrong_frames)) +
-         line(sums.hidden, "proved hidden") + line(sums.unsettled, "neither proved hidden nor found visible") +
+  return line(sums.frames, "frames") + line(sums.wrong_frames, "frames with a false cull") +
+         line(sums.culled, "polygons culled in view, over all frames; of them") +
+         line(sums.visible, "visible: false culls, each with an exact ray") + line(sums.hidden, "proved hidden") +
+         line(sums.unsettled, "neither proved hidden nor found visible") +
          line(sums.drawn, "polygons drawn in view; of them") + line(sums.needless, "or more are hidden, and drawn in vain");
 }
 

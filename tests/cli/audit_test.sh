@@ -123,6 +123,14 @@ echo '{"frame":0,"eye":[0,0,0],"target":[-1,0,0],"width":320,"height":180,"culle
 judge good.ply back.jsonl 0
 judged culled 0
 
+# So it is beyond the far plane, and beside the picture where the box of a thing is not.
+echo "{\"frame\":0,$eye,\"far\":1.5,\"culled\":[0]}" >far.jsonl
+judge good.ply far.jsonl 0
+ply beside.ply 3 2 '10 9 9\n10 30 4\n10 30 30\n3 0 1 2\n3 2 1 0\n'
+echo "{\"frame\":0,$eye,\"culled\":[0,1]}" >beside.jsonl
+judge beside.ply beside.jsonl 0
+judged culled 0
+
 # A wall in pieces is one polygon. What is behind its doorway shows; what is beside the doorway does not.
 {
   printf 'v 0 %s\n' '-10 0' '-2 0' '-2 4' '2 4' '2 0' '10 0' '10 6' '-10 6'
