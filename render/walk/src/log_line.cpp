@@ -13,12 +13,12 @@ namespace {
 
 nlohmann::ordered_json numbers(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-std::vector<PolygonRange> drawn(const culler::CullResult& result, const culler::Hierarchy& hierarchy) {
+std::vector<culler::PolygonRange> drawn(const culler::CullResult& result, const culler::Hierarchy& hierarchy) {
   std::vector<bool> is_drawn(hierarchy.face_count());
-  for (const PolygonRange& range : result.drawn) {
+  for (const culler::PolygonRange& range : result.drawn) {
     for (std::uint32_t p = range.first; p < range.first + range.count; ++p) is_drawn[hierarchy.face(p)] = true;
   }
-  std::vector<PolygonRange> ranges;
+  std::vector<culler::PolygonRange> ranges;
   for (std::uint32_t p = 0; p < is_drawn.size(); ++p) {
     if (is_drawn[p]) culler::append_range(ranges, {p, 1});
   }
@@ -41,7 +41,7 @@ std::string log_line(const ShownFrame& frame, const culler::Hierarchy& hierarchy
     line["fov_y_deg"] = camera.fov_y_deg;
   }
   nlohmann::ordered_json& list = line["drawn"] = nlohmann::ordered_json::array();
-  for (const PolygonRange& range : drawn(frame.culled, hierarchy)) list.push_back({range.first, range.count});
+  for (const culler::PolygonRange& range : drawn(frame.culled, hierarchy)) list.push_back({range.first, range.count});
   return line.dump();
 }
 
