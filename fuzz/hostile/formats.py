@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The formats that `occlude` reads: a sound file of each, hostile ones made of it, and bombs."""
 import base64
+import gzip
 import io
 import json
 import math
@@ -13,11 +14,12 @@ import zipfile
 FILES = {"ply ascii": "a.ply", "ply binary": "a.ply", "obj": "a.obj", "stl": "a.stl", "gltf": "a.gltf", "glb": "a.glb",
          "collada": "a.dae", "3mf": "a.3mf", "path": "a.json", "matrices": "a.csv",
          "gltf camera": "a.gltf", "collada camera": "a.dae", "cases": "a.jsonl", "witnesses": "a.jsonl",
+         "log": "a.jsonl", "binary log": "a.log",
          "preprocess": "a.store", "store": "a.store"}
 SOUND = "sound"  # what is done to a file to which nothing is done
 MODELS = pathlib.Path(__file__).resolve().parents[2] / "tests" / "data" / "models"
 IMPORTED = ("stl", "gltf", "glb", "collada", "3mf", "gltf camera", "collada camera")
-JSON = ("path", "cases", "witnesses")
+JSON = ("path", "cases", "witnesses", "log")
 
 
 def command(name, seeds):
@@ -33,6 +35,8 @@ def command(name, seeds):
         return ["classify", file]
     if name == "witnesses":
         return ["validate", model, "--path", path, "--exact-up-to", "1000", "--witness", file]
+    if name.endswith("log"):
+        return ["audit", model, "--log", file, "--item-buffers", "0"]
     return ["walk", file, "--path", path, *walk]
 
 
@@ -51,6 +55,32 @@ MATRICES = [[0, 0, -1, x, -1, 0, 0, y, 0, 1, 0, 0, 0, 0, 0, 1] for x, y in ((0, 
 
 def matrices():
     return "\n".join(["# made to be damaged"] + [",".join(map(repr, m)) for m in MATRICES]).encode() + b"\n"
+
+
+MATRIX = [0, 0, 1, 1, -1, 0, 0, 0, 0, 1.75, 0, 0, 0, 0, -0.2, 0]  # of a projection, column after column
+
+
+def log():
+    """What is hidden behind the wall, in all words."""
+    squares = [1, [2, len(SQUARES) - 2]]
+    frames = [{**camera, **listed, "width": 64, "height": 36}
+              for camera in ({"eye": [0, 0, 0], "target": [1, 0, 0], "up": [0, 0, 1], "fov_y_deg": 60, "far": 1000},
+                             {"eye": [0, 0, 0], "target": [1, 0, 0], "projection": "orthographic", "view_height": 2, "near": 0.5},
+                             {"matrix": MATRIX, "order": "column", "clip_depth": "minus_w_to_w"})
+              for listed in ({"culled": squares}, {"drawn": [0]}, {"culled_objects": [8]}, {"drawn_objects": [7]})]
+    lines = [{"object": 7, "polygons": [0]}, {"object": 8, "polygons": squares}]
+    lines += [{"frame": i, **frame} for i, frame in enumerate(frames)]
+    return "".join(json.dumps(line) + "\n" for line in lines).encode()
+
+
+def binary_log():
+    def ranges(*numbers):
+        return struct.pack(f"<{len(numbers) + 1}I", len(numbers) // 2, *numbers)
+
+    file = b"OCCLLOG1" + struct.pack("<2I", 3, 7) + ranges(0, 1) + struct.pack("<2I", 3, 8) + ranges(1, len(SQUARES) - 1)
+    file += struct.pack("<5I16dI", 1, 0, 64, 36, 0, *MATRIX, 0) + ranges(1, len(SQUARES) - 1)
+    file += struct.pack("<5I12d", 2, 1, 64, 36, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 60, 0.1, math.inf) + ranges(0, 1)
+    return file + struct.pack("<5I12d2I", 2, 2, 64, 36, 2, 0, 0, 0, 1, 0, 0, 0, 0, 1, 60, 0.1, 1000, 1, 8)
 
 
 def ply_header(kind, vertices=len(VERTICES), faces=len(SQUARES), more=""):
@@ -269,6 +299,7 @@ def make_seeds(occlude, folder):
             "path": [json.dumps(PATH, indent=1).encode(), json.dumps({"matrices": MATRICES, "near": 0.1}).encode()],
             "matrices": [matrices()], "gltf camera": [gltf_camera()], "collada camera": [collada_camera()],
             "cases": [b"".join(cases) + polytope, polytope], "witnesses": [(folder / "witness.jsonl").read_bytes()],
+            "log": [log(), gzip.compress(log())], "binary log": [binary_log(), gzip.compress(binary_log())],
             "preprocess": [(folder / "model.store").read_bytes()], "store": [(folder / "model.store").read_bytes()]}
 
 
@@ -727,10 +758,36 @@ def preprocess_bombs(random):
                           lambda: ("head", b"occlude preprocess\n" * 100_000)])()
 
 
+def log_bombs(random):
+    count = random.choice([1000, 100_000, MIB])
+    camera = b'"eye":[0,0,0],"target":[1,0,0],"width":64,"height":36'
+    return random.choice([
+        lambda: json_bombs(random),
+        lambda: ("the same polygons", b'{"frame":0,' + camera + b',"culled":[' + b"[0,40]," * count + b"0]}"),
+        lambda: ("no polygons", b'{"frame":0,' + camera + b',"culled":[' + b"[0,0]," * count + b"0]}"),
+        lambda: ("the same object", b'{"object":7,"polygons":[' + b"[0,0]," * count + b'0]}\n{"frame":0,' + camera +
+                 b',"culled_objects":[' + b"7," * count + b"7]}"),
+        lambda: ("objects", b"".join(b'{"object":%d,"polygons":[]}\n' % i for i in range(count // 10))),
+        lambda: ("compressed zeros", gzip.compress(b"\0" * (17 * MIB))),
+        lambda: ("compressed lines", gzip.compress(b"\n" * (64 * MIB)))])()
+
+
+def binary_log_bombs(random):
+    head = b"OCCLLOG1"
+    count = random.choice([1000, 100_000, MIB])
+    return random.choice([
+        lambda: ("an object without end", head + struct.pack("<3I", 3, 7, 0xFFFFFFFF) + b"\0" * count),
+        lambda: ("empty objects", head + b"".join(struct.pack("<3I", 3, i, 0) for i in range(count // 10))),
+        lambda: ("no polygons", head + struct.pack("<3I", 3, 7, count) + b"\0" * 8 * count),
+        lambda: ("zeros", head + b"\0" * count),
+        lambda: ("compressed zeros", gzip.compress(head + struct.pack("<3I", 3, 7, count) + b"\0" * 8 * count))])()
+
+
 BOMBS = {"ply ascii": ply_bombs, "ply binary": ply_bombs, "obj": obj_bombs, "stl": stl_bombs, "gltf": gltf_bombs,
          "glb": glb_bombs,
          "collada": collada_bombs, "3mf": bombs_3mf, "path": path_bombs, "matrices": matrix_bombs,
          "gltf camera": gltf_bombs, "collada camera": collada_bombs, "cases": case_bombs, "witnesses": json_bombs,
+         "log": log_bombs, "binary log": binary_log_bombs,
          "preprocess": preprocess_bombs}
 
 

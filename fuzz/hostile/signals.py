@@ -38,6 +38,7 @@ COMMANDS = {
     "classify": ("{cases}", ""),
     "validate": ("{walls} --path {path} --size 64x36 --exact-up-to 0 --out out", "out/failures.jsonl"),
     "validate --witness": ("{walls} --path {path} --size 64x36 --witness {walked}/witness.jsonl", ""),
+    "audit": ("{walls} --log {walked}/log.jsonl --out out", "out/summary.json out/frames.jsonl out/false_culls.jsonl"),
     "fuzz": ("--cases 1000 --findings found.jsonl --out fuzz.json", "fuzz.json"),
     "bench kernel": ("--boxes 256 --repetitions 2", ""),
     "bench culler": ("{walls} --path {path} --frames 0:8 --size 64x36 --region-count 64 --repetitions 1 --out out",
@@ -71,7 +72,7 @@ def make_inputs(occlude, folder):
     (folder / "path.json").write_text(json.dumps({**formats.PATH, "frames": 40}))
     run("generate", "city", "--polygons", "20000", "--out", "city.ply", "--path", "city.json")
     run("walk", "walls.ply", "--path", "path.json", "--size", "64x36", "--out", "walked", "--witness",
-        "walked/witness.jsonl")
+        "walked/witness.jsonl", "--log", "walked/log.jsonl")
     case = ('{"id":"%d","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface",'
             '"box":{"min":[4,2,0],"max":[4,3,1]}}\n')
     (folder / "cases.jsonl").write_text("".join(case % i for i in range(5000)))

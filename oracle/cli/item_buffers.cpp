@@ -9,20 +9,13 @@
 #include <numeric>
 #include <span>
 
+#include "marked_picture.h"
 #include "model/append_range.h"
-#include "occlude/render/plate_renderer.h"
 
 namespace occlude::cli {
 namespace {
 
 constexpr int kLargest = 8192;  // longest side of a picture, as in all commands
-
-/// The centres of the cells of a 4 by 4 grid over a pixel. No offset reaches half a pixel, so a pixel at the border does not
-/// see beyond the picture.
-glm::dvec2 offset_of(std::size_t turn) {
-  const std::size_t cell = turn % ItemBuffers::kOffsets;
-  return {(static_cast<double>(cell % 4) - 1.5) / 4, (static_cast<double>(cell / 4) - 1.5) / 4};
-}
 
 /// Compares polygons corner by corner.
 bool is_less(culler::SoupView soup, std::uint32_t a, std::uint32_t b) {
@@ -53,6 +46,12 @@ std::vector<culler::PolygonRange> without_copies(culler::SoupView soup) {
 
 }  // namespace
 
+/// The offsets are the centres of the cells of a 4 by 4 grid over a pixel.
+glm::dvec2 ItemBuffers::offset_of(std::size_t turn) {
+  const std::size_t cell = turn % kOffsets;
+  return {(static_cast<double>(cell % 4) - 1.5) / 4, (static_cast<double>(cell / 4) - 1.5) / 4};
+}
+
 /// Every size gets every offset: after each round of offsets the sizes move on by one.
 std::size_t ItemBuffers::size_of(std::size_t turn) const { return (turn + turn / kOffsets) % sizes(); }
 
@@ -76,20 +75,7 @@ std::string ItemBuffers::describe(std::size_t turn) const {
 }
 
 render::Image ItemBuffers::picture(const culler::Camera& camera, const std::vector<culler::PolygonRange>& marked) {
-  constexpr render::Rgba kMagenta{200, 0, 170, 255};
-  std::vector<render::Line> outlines;  // lines stay visible where polygons are far and small
-  for (const culler::PolygonRange& range : marked) {
-    for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
-      const auto loop = soup_.loop(p);
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        outlines.push_back({soup_.vertices[loop[i]], soup_.vertices[loop[(i + 1) % loop.size()]], kMagenta});
-      }
-    }
-  }
-  const culler::PolygonRange all = soup_.all();
-  const std::array<render::PlateLayer, 2> layers{render::PlateLayer{marked, render::Style::marked},
-                                                 render::PlateLayer{std::span(&all, 1), render::Style::plain}};
-  return render::PlateRenderer(soup_, *renderers_[0].renderer).draw(camera, layers, {.lines = outlines});
+  return marked_picture(soup_, *renderers_[0].renderer, camera, marked);
 }
 
 }  // namespace occlude::cli

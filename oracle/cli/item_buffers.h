@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ class ItemBuffers {
   ItemBuffers(culler::SoupView soup, int width, int height);
 
   static constexpr std::size_t kOffsets = 16;  ///< a quarter of a pixel apart
+  /// Right and up, in pixels. None reaches half a pixel, so a pixel at the border does not see beyond the picture.
+  [[nodiscard]] static glm::dvec2 offset_of(std::size_t turn);
   [[nodiscard]] std::size_t sizes() const { return renderers_.size(); }
 
   /// The polygon at each pixel. Consecutive turns go through the sizes and offsets. Any sizes() * kOffsets consecutive turns

@@ -30,7 +30,7 @@ namespace occlude::cli {
 namespace {
 
 struct WalkCommand {
-  std::string model, out = "report", witness, cases;
+  std::string model, out = "report", witness, log, cases;
   PathArguments path;
   WalkArguments walk;
   bool no_render = false, json = false;
@@ -70,6 +70,7 @@ void walk(const WalkCommand& arguments, int& exit_code, const std::string& comma
   arguments.walk.require_settled(arguments.model);
   options.render = !arguments.no_render;
   if (!arguments.witness.empty()) options.witness = arguments.witness;
+  if (!arguments.log.empty()) options.log = arguments.log;
   std::optional<render::OutputFile> cases;
   if (!arguments.cases.empty()) record_shadow_tests(options, cases.emplace(arguments.cases));
   const std::filesystem::path out = arguments.out;
@@ -139,6 +140,7 @@ void add_walk(Command app, int& exit_code, const std::string& command_line) {
   a->walk.add_model_to(command);
   command.add_flag("--no-render", a->no_render, "draw nothing: measure culling only");
   add_output(command, "--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
+  add_output(command, "--log", a->log, "write what each frame drew to this file, for `occlude audit` (JSON Lines)");
   command.under(kDebugging, [&] {
     a->walk.of_frusta(
         add_output(command, "--cases", a->cases,

@@ -162,6 +162,7 @@ for options in "walk good.ply --path path.json --out @" "walk good.ply --path @ 
   "walk good.ply --path path.json --out out --preprocess @" "walk good.ply --path path.json --out out --frames @" \
   "validate good.ply --path path.json --witness @" "validate good.ply --path path.json --out @" "validate @ --path path.json" \
   "validate good.ply --path @" "validate good.ply --path path.json --preprocess @" "validate good.ply --path path.json --parts @" \
+  "audit @ --log file" "audit good.ply --log @" "audit good.ply --log file --out @" "walk good.ply --path path.json --out out --log @" \
   "why good.ply --path path.json --frame 0 --polygon 0 --out @" "why good.ply --path path.json --frame @ --polygon 0" \
   "why good.ply --path @ --frame 0 --polygon 0" "why @ --path path.json --frame 0 --polygon 0" \
   "why good.ply --path path.json --frame 0 --pixel @" "why good.ply --path path.json --frame 0 --polygon @" \

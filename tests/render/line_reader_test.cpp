@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -63,6 +64,47 @@ TEST_F(LineReaderTest, LinesOfAnyLength) {
     text += expected.back() + '\n';
   }
   EXPECT_EQ(lines(text), expected);
+}
+
+/// As gzip writes it.
+std::string zipped(const std::string& text) {
+  z_stream stream{};
+  constexpr int kGzip = 16 + MAX_WBITS, kMemory = 8;
+  EXPECT_EQ(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY), Z_OK);
+  std::string plain = text, result(text.size() + 1000, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(plain.data());
+  stream.avail_in = static_cast<uInt>(plain.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  result.resize(stream.total_out);
+  deflateEnd(&stream);
+  return result;
+}
+
+TEST_F(LineReaderTest, CompressedLines) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(lines(zipped("a\n\nb")), (Lines{"a", "", "b"}));
+  EXPECT_EQ(lines(zipped("a\nb") + zipped("c\nd\n")), (Lines{"a", "bc", "d"}));
+  EXPECT_EQ(lines(zipped("")), Lines{});
+  const std::string large(std::size_t{1} << 20U, 'x');  // several blocks of a few bytes
+  EXPECT_EQ(lines(zipped(large + "\n" + large)), (Lines{large, large}));
+}
+
+TEST_F(LineReaderTest, CompressedLinesThatAreDamaged) {
+  const std::string whole = zipped("a line\nanother\n");
+  const auto failure_of = [&](const std::string& bytes) {
+    std::ofstream(file_, std::ios::binary) << bytes;
+    return failure(file_.string());
+  };
+  EXPECT_EQ(failure_of(whole), "no error");
+  for (std::size_t size = 2; size < whole.size(); ++size) {
+    EXPECT_EQ(failure_of(whole.substr(0, size)), file_.string() + ": the compressed data are cut off") << size;
+  }
+  std::string wrong = whole;
+  wrong[whole.size() - 6] ^= 1;  // of the checksum
+  EXPECT_EQ(failure_of(wrong), file_.string() + ": the compressed data are damaged");
+  EXPECT_EQ(failure_of(whole + "more"), file_.string() + ": the compressed data are damaged");
 }
 
 TEST_F(LineReaderTest, ALineWithoutEndIsRefused) {

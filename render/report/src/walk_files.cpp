@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "occlude/render/log_line.h"
+
 namespace occlude::render {
 namespace {
 
@@ -23,19 +25,27 @@ Image small(const Image& image) {
 }  // namespace
 
 WalkFiles::WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command, bool writes_path)
-    : folder_(folder),
+    : options_(options),
+      folder_(folder),
       plates_folder_(folder / "plates"),
       csv_(folder / "frames.csv"),
       report_(folder / "report.html"),
       summary_(folder / "summary.json"),
       path_(writes_path ? std::optional<OutputFile>(std::in_place, folder / kPathFile) : std::nullopt),
       witness_(options.witness ? std::optional<OutputFile>(std::in_place, *options.witness) : std::nullopt),
+      log_(options.log ? std::optional<OutputFile>(std::in_place, *options.log) : std::nullopt),
       pictures_(folder / "plates", is_plate),
       command_(std::move(command)) {}
 
-void WalkFiles::add_model(const culler::Culler& culler) { recording_.emplace(culler); }
+void WalkFiles::add_model(const culler::Culler& culler) {
+  recording_.emplace(culler);
+  hierarchy_ = &culler.hierarchy();
+}
 
-void WalkFiles::add_frame(const ShownFrame& frame) { recording_->add_frame(frame); }
+void WalkFiles::add_frame(const ShownFrame& frame) {
+  recording_->add_frame(frame);
+  if (log_) log_->write(log_line(frame, *hierarchy_, options_) + '\n');
+}
 
 void WalkFiles::add_witness(std::string_view line) {
   witness_->write(line);
@@ -64,7 +74,7 @@ void WalkFiles::commit() {
 
 std::vector<OutputFile*> WalkFiles::files() {
   std::vector<OutputFile*> files{&csv_, &report_, &summary_};
-  for (std::optional<OutputFile>* file : {&path_, &witness_}) {
+  for (std::optional<OutputFile>* file : {&path_, &witness_, &log_}) {
     if (*file) files.push_back(&**file);
   }
   return files;

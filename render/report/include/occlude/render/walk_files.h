@@ -21,12 +21,12 @@ namespace occlude::render {
 /// The path of a walk, in the folder of its report.
 inline constexpr const char* kPathFile = "path.json";
 
-/// frames.csv, summary.json, report.html, path.json and plates/*.png in a folder, and the witness file that the options
-/// name.
+/// frames.csv, summary.json, report.html, path.json and plates/*.png in a folder, and the witness file and the log that the
+/// options name.
 class WalkFiles : public WalkOutput {
  public:
   /// Opens all files before the work starts. Throws InputError if one cannot be written. `command` is the command line, for
-  /// the report. The path is written unless the walk has read it from there.
+  /// the report. The path is written unless the walk has read it from there. The options must outlive this object.
   WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command, bool writes_path);
 
   void add_model(const culler::Culler& culler) override;
@@ -41,11 +41,13 @@ class WalkFiles : public WalkOutput {
  private:
   [[nodiscard]] std::vector<OutputFile*> files();
 
+  const WalkOptions& options_;
   OutputFolder folder_, plates_folder_;
   OutputFile csv_, report_, summary_;
-  std::optional<OutputFile> path_, witness_;
+  std::optional<OutputFile> path_, witness_, log_;
   PictureSet pictures_;
   std::optional<WalkRecording> recording_;
+  const culler::Hierarchy* hierarchy_ = nullptr;  ///< of the model
   std::vector<PagePicture> page_pictures_;
   std::string command_;
 };

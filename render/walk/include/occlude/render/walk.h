@@ -42,6 +42,7 @@ struct WalkOptions {
   std::filesystem::path preprocess;                       ///< store of the model, used instead of `build`; or empty
   bool render = true;                                     ///< draw and compare; if false, only culling is measured
   std::optional<std::filesystem::path> witness;           ///< file for the proofs of all culls (JSON Lines)
+  std::optional<std::filesystem::path> log;               ///< file for what each frame drew, for `occlude audit`
   std::function<void(const ShadowTest&)> on_shadow_test;  ///< called for each test on about 48 frames
 };
 
