@@ -73,14 +73,6 @@ const lookAtValues = (camera: LookAtCamera) => ({
   ...eyesOf(camera.eyes),
 });
 
-/** Look-at cameras one after another. */
-export function lookAtsOf(scratch: Scratch, memory: () => DataView, cameras: readonly LookAtCamera[]): number {
-  const {lookAtCamera} = structs;
-  const place = scratch.room(cameras.length * lookAtCamera.bytes);
-  cameras.forEach((camera, i) => lookAtCamera.write(memory(), place + i * lookAtCamera.bytes, lookAtValues(camera)));
-  return place;
-}
-
 /** A struct of C, and what is appended to the name of the function that takes it. */
 export function cameraOf(scratch: Scratch, camera: Camera): {place: number; suffix: "" | "_look_at"} {
   if (!("matrix" in camera)) {

@@ -70,16 +70,16 @@ export interface SceneFrame {
   readonly statistics: SceneStatistics;
 }
 
-const coverValues = ({coverSize, coverWork, coverMs, margin}: CoverOptions) => ({
+export const coverValues = ({coverSize, coverWork, coverMs, margin}: CoverOptions) => ({
   cover_width: coverSize && fixed(coverSize, 2, "coverSize")[0],
   cover_height: coverSize?.[1],
   cover_work: coverWork,
   cover_ms: coverMs,
   margin,
 });
-export {coverValues};
 
-const flag = (given: boolean | undefined) => (given === undefined ? undefined : Number(given));
+/** A truth value, or the default. */
+export const flag = (given: boolean | undefined) => (given === undefined ? undefined : Number(given));
 
 /** An occlude_cull_options. */
 export const cullOptionsOf = (scratch: Scratch, options: CullOptions): number =>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import {cameraOf, wayOf, type Camera, type Way} from "./cameras.mjs";
-import {cullOptionsOf, frameOf, type HeldCullOptions, type SceneFrame} from "./frames.mjs";
+import {cullOptionsOf, flag, frameOf, type HeldCullOptions, type SceneFrame} from "./frames.mjs";
 import {structs} from "./layout.mjs";
 import type {Library, Scratch} from "./library.mjs";
 import {Disposable} from "./resource.mjs";
@@ -37,17 +37,23 @@ export interface HeldStatistics {
 export class HeldSceneCull extends Disposable {
   /** @internal */
   constructor(library: Library, scene: Scene, options: HeldOptions = {}) {
+    const of = scene.resource;
+    const context = options.later && library.addLater(options.later);
+    of.keep();
     const create = (scratch: Scratch, place: number) => {
       const how = scratch.struct(structs.heldOptions, {
         cull: cullOptionsOf(scratch, options),
         way: options.way && wayOf(scratch, {turnDegrees: 2, ...options.way}),
-        later: options.later && library.c.occlude_js_later_function!(),
-        context: options.later && library.addLater(options.later),
-        is_repeatable: Number(options.repeatable ?? false),
+        later: context && library.c.occlude_js_later_function!(),
+        context,
+        is_repeatable: flag(options.repeatable),
       });
       return library.c.occlude_held_cull_create!(scene.pointerFor(library), how, place);
     };
-    super(library, create, "occlude_held_cull_destroy", scene.resource);
+    super(library, create, "occlude_held_cull_destroy", () => {
+      if (context !== undefined) library.removeLater(context);
+      of.release();
+    });
   }
 
   /** What to draw for the next frame, at this time: seconds by any clock, from which speeds are found. */

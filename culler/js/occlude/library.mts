@@ -30,7 +30,8 @@ export class Library implements Scratch {
   #used = 0;
   #overflow: number[] = [];
   #view: DataView;
-  #laters: ((task: Task) => void)[] = [];
+  readonly #laters = new Map<number, (task: Task) => void>();
+  #lastLater = 0;
 
   constructor(readonly c: Exports) {
     c._initialize();
@@ -117,14 +118,18 @@ export class Library implements Scratch {
 
   /** Keeps a function that tasks of held culls are given to; its number is their context. Zero is none. */
   addLater(later: (task: Task) => void): number {
-    return this.#laters.push(later);
+    this.#laters.set(++this.#lastLater, later);
+    return this.#lastLater;
+  }
+  removeLater(context: number): void {
+    this.#laters.delete(context);
   }
 
   /** What C calls with a task. It must not throw through C: what `later` throws is thrown where nothing of C waits. */
   readonly leave = (context: number, task: number, work: number): void => {
     const run = once(() => this.c.occlude_js_run!(task, work));
     try {
-      this.#laters[context - 1]!(run);
+      this.#laters.get(context)!(run);
     } catch (error) {
       queueMicrotask(() => {
         throw error;

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Models that stand still: Culler, its cameras and its frames.
 import {cameraOf, type Camera} from "./cameras.mjs";
-import {coverValues, type CoverOptions, type Planes} from "./frames.mjs";
+import {coverValues, flag, type CoverOptions, type Planes} from "./frames.mjs";
 import {structs} from "./layout.mjs";
 import type {Library, Scratch} from "./library.mjs";
 import {meshDataOf, type Polygons} from "./mesh.mjs";
-import {choiceOf} from "./numbers.mjs";
+import {choiceOf, wholeOf} from "./numbers.mjs";
 import {Disposable} from "./resource.mjs";
 import {asked} from "./view.mjs";
-
-/** `automatic` is by cover, and saves work where it does not pay. */
-export type Method = "automatic" | "frusta" | "cover";
-const methods = ["automatic", "frusta", "cover"] as const;
 
 export interface CullerOptions {
   /** The most polygons of a leaf. Smaller leaves cull more, but cost more and make more ranges. Default: 4. */
@@ -21,40 +17,35 @@ export interface CullerOptions {
 }
 
 export interface ModelCullOptions extends CoverOptions {
-  readonly method?: Method;
-  /** Frusta. The most occluders that a frame uses; 0: view-frustum culling alone. Default: 8. */
-  readonly occluders?: number;
-  /** Frusta. Candidates that are tried for the next frame. Default: 8. */
-  readonly probes?: number;
-  /** Frusta. Whether occluders that share an edge also hide together. Default: false. */
-  readonly unions?: boolean;
+  /** As CullOptions.adaptive. Default: true. */
+  readonly adaptive?: boolean;
 }
 
 export interface ModelStatistics {
   readonly drawnPolygons: number;
-  readonly viewCulledPolygons: number;
-  readonly shadowCulledPolygons: number;
-  readonly nodesVisited: number;
-  readonly viewTests: number;
-  readonly shadowTests: number;
-  readonly coverTests: number;
-  readonly coverTriangles: number;
+  readonly outOfViewPolygons: number;
+  readonly hiddenPolygons: number;
   /** Drawn unasked: the budget was spent, or they were idle. */
   readonly unaskedPolygons: number;
+  readonly nodesVisited: number;
+  readonly viewTests: number;
+  readonly coverTests: number;
+  readonly coverTriangles: number;
+  readonly coverWork: number;
 }
 
 /** What to draw of a model. All of it is the caller's own: copies, which nothing changes. */
 export interface ModelFrame {
   /** Ranges of Culler.order, two numbers each: the first polygon, and how many. With triangles alone, 3 x both are a draw call. */
   readonly drawn: Uint32Array<ArrayBuffer>;
-  /** Ranges that are not drawn, four numbers each: first, count, why (CulledBy), and with CulledBy.view the index in `planes`. */
+  /** Ranges that are not drawn, three numbers each: the first, how many, and the one of `planes` they are beyond, or `hidden`. */
   readonly culled: Uint32Array<ArrayBuffer>;
   readonly planes: Planes;
   readonly statistics: ModelStatistics;
 }
 
-/** Why polygons of a model are not drawn. */
-export const CulledBy = {view: 0, shadow: 1, cover: 2} as const;
+/** Of a range of ModelFrame.culled, in place of a plane: other polygons hide it. */
+export const hidden = 0xffffffff;
 
 /** One camera of a model, and its last frame. */
 export class ModelView extends Disposable {
@@ -78,11 +69,12 @@ export class Culler extends Disposable {
   /** The number that each polygon of the culler's order had when given: draw the index buffer in this order. */
   readonly order: Uint32Array<ArrayBuffer>;
 
-  /** @internal Takes a second for a million polygons. */
+  /** @internal */
   constructor(library: Library, polygons: Polygons, options: CullerOptions = {}) {
     const isOriented = choiceOf(options.bounds ?? "aabb", ["aabb", "obb"], "bounds");
+    const leafSize = wholeOf(options.leafSize ?? 4, "leafSize");
     const create = (scratch: Scratch, place: number) =>
-      library.c.occlude_model_create!(meshDataOf(scratch, polygons), options.leafSize ?? 4, isOriented, place);
+      library.c.occlude_model_create!(meshDataOf(scratch, polygons), leafSize, isOriented, place);
     super(library, create, "occlude_model_destroy");
     const {pointer} = this.resource;
     const count = library.c.occlude_model_polygons!(pointer) >>> 0;
@@ -93,25 +85,13 @@ export class Culler extends Disposable {
     });
   }
 
-  /** Makes what frames by this method need; else the first of them does. */
-  prepare(method: Method = "automatic"): void {
-    const {library, pointer} = this.resource;
-    library.check(library.c.occlude_model_prepare!(pointer, choiceOf(method, methods, "method")));
-  }
-
   /** What to draw, for the next frame of the view. A view that was used with another culler starts anew. */
   cull(camera: Camera, view: ModelView, options: ModelCullOptions = {}): ModelFrame {
     const {library, pointer} = this.resource;
     const of = view.pointerFor(library);
     return library.using(scratch => {
       const {place, suffix} = cameraOf(scratch, camera);
-      const how = scratch.struct(structs.modelOptions, {
-        ...coverValues(options),
-        method: choiceOf(options.method ?? "automatic", methods, "method"),
-        occluders: options.occluders,
-        probes: options.probes,
-        is_with_unions: Number(options.unions ?? false),
-      });
+      const how = scratch.struct(structs.modelOptions, {...coverValues(options), is_adaptive: flag(options.adaptive)});
       library.check(library.c[`occlude_model_cull${suffix}`]!(pointer, place, how, of));
       const frame = scratch.struct(structs.modelFrame);
       library.check(library.c.occlude_model_view_frame!(of, frame));
@@ -125,18 +105,18 @@ function read(library: Library, at: number): ModelFrame {
   const of = (member: keyof typeof structs.modelFrame.fields) => structs.modelFrame.read(memory, at, member);
   return {
     drawn: library.words(of("drawn"), 2 * of("drawn_count")),
-    culled: library.words(of("culled"), 4 * of("culled_count")),
+    culled: library.words(of("culled"), 3 * of("culled_count")),
     planes: library.doubles(of("planes"), 4 * of("plane_count")),
     statistics: {
       drawnPolygons: of("drawn_polygons"),
-      viewCulledPolygons: of("view_culled_polygons"),
-      shadowCulledPolygons: of("shadow_culled_polygons"),
+      outOfViewPolygons: of("out_of_view_polygons"),
+      hiddenPolygons: of("hidden_polygons"),
+      unaskedPolygons: of("unasked_polygons"),
       nodesVisited: of("nodes_visited"),
       viewTests: of("view_tests"),
-      shadowTests: of("shadow_tests"),
       coverTests: of("cover_tests"),
       coverTriangles: of("cover_triangles"),
-      unaskedPolygons: of("unasked_polygons"),
+      coverWork: of("cover_work"),
     },
   };
 }

@@ -20,12 +20,17 @@ const isFloat = 1, isDouble = 0;
 
 /** Numbers in the memory of the module, `each` for one element. */
 export function numbersOf(scratch: Scratch, numbers: Numbers, each: number, name: string) {
-  if (numbers.length % each !== 0) refuse(`${name}: ${numbers.length} numbers are no multiple of ${each}`);
-  const count = numbers.length / each;
+  const count = countOf(numbers, each, name);
   if (numbers instanceof Float32Array) return {data: scratch.copyOf(numbers), count, type: isFloat};
   const doubles = numbers instanceof Float64Array ? numbers : Float64Array.from(numbers);
   return {data: scratch.copyOf(doubles), count, type: isDouble};
 }
+
+const countOf = (numbers: Numbers, each: number, name: string) =>
+  numbers.length % each === 0 ? numbers.length / each : refuse(`${name}: ${numbers.length} numbers are no multiple of ${each}`);
+
+export const countOfBoxes = (boxes: Boxes) =>
+  "oriented" in boxes ? countOf(boxes.oriented, 12, "boxes") : countOf(boxes, 6, "boxes");
 
 /** An occlude_boxes, and how many there are. */
 export function boxesOf(scratch: Scratch, boxes: Boxes) {
@@ -45,10 +50,13 @@ export const pointOf = (point: Point, name: string) => fixed(point, 3, name);
 export function wordsOf(scratch: Scratch, numbers: Indices, name: string): number {
   if (numbers instanceof Uint32Array) return scratch.copyOf(numbers);
   const words = Uint32Array.from(numbers);
-  for (let i = 0; i < words.length; ++i) {
-    if (words[i] !== numbers[i]) refuse(`${name}: ${numbers[i]} is not a whole number from 0 to 4294967295`);
-  }
+  for (let i = 0; i < words.length; ++i) wholeOf(numbers[i]!, name);
   return scratch.copyOf(words);
+}
+
+/** A whole number of 32 bits. */
+export function wholeOf(number: number, name: string): number {
+  return number >>> 0 === number ? number : refuse(`${name}: ${number} is not a whole number from 0 to 4294967295`);
 }
 
 /** The place of a word in a list: what C calls it. */

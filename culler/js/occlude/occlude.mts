@@ -12,7 +12,6 @@ import {OccluderMesh, type Polygons} from "./mesh.mjs";
 import {Culler, ModelView, type CullerOptions} from "./model.mjs";
 import type {Indices, Numbers, Point} from "./numbers.mjs";
 import {Scene} from "./scene.mjs";
-import {simplifiedOccluders, type SimplifiedOccluders, type SimplifyOptions} from "./simplified.mjs";
 import {View} from "./view.mjs";
 
 export type {Camera, ClipDepth, EyeRegion, LookAtCamera, MatrixCamera, Nearer, Way} from "./cameras.mjs";
@@ -22,11 +21,10 @@ export type {HeldOptions, HeldSceneCull, HeldStatistics} from "./held.mjs";
 export {slot, slots, type IdArray, type Ids, type ObjectId, type ObjectIds, type OccluderId, type OccluderIds} from "./ids.mjs";
 export type {Source} from "./load.mjs";
 export type {OccluderMesh, Polygons} from "./mesh.mjs";
-export {CulledBy} from "./model.mjs";
-export type {Culler, CullerOptions, Method, ModelCullOptions, ModelFrame, ModelStatistics, ModelView} from "./model.mjs";
+export {hidden} from "./model.mjs";
+export type {Culler, CullerOptions, ModelCullOptions, ModelFrame, ModelStatistics, ModelView} from "./model.mjs";
 export type {Boxes, Indices, Numbers, Point} from "./numbers.mjs";
 export type {Fate, Hiding, ObjectOptions, OccluderOptions, Placement, Reason, Scene} from "./scene.mjs";
-export type {SimplifiedOccluders, SimplifyOptions} from "./simplified.mjs";
 export type {View, Visibility} from "./view.mjs";
 
 /** One module of WebAssembly, with its memory. What belongs to one is refused by another. */
@@ -51,8 +49,6 @@ export interface Occlude {
   isFan(vertices: Numbers, loop: Indices): boolean;
   /** Triangles that are the face, which may be concave or have openings: three vertices each. */
   triangulate(vertices: Numbers, loop: Indices): Uint32Array<ArrayBuffer>;
-  /** Few triangles that hide for a mesh. */
-  simplifiedOccluders(polygons: Polygons, options?: SimplifyOptions): SimplifiedOccluders;
   /** Bytes of memory that the module has. It never shrinks. */
   readonly memoryBytes: number;
 }
@@ -98,7 +94,6 @@ export async function load(source?: Source): Promise<Occlude> {
     marginFor: rows => library.c.occlude_margin_for!(rows),
     isFan: (vertices, loop) => isFan(library, vertices, loop),
     triangulate: (vertices, loop) => triangulate(library, vertices, loop),
-    simplifiedOccluders: (polygons, options = {}) => simplifiedOccluders(library, polygons, options),
     get memoryBytes() {
       return library.c.memory.buffer.byteLength;
     },

@@ -6,18 +6,13 @@ import type {Library, Scratch} from "./library.mjs";
 export class Resource {
   #users = 1;
 
-  constructor(readonly library: Library, readonly pointer: number, readonly destroy: `occlude_${string}`,
-              readonly needs?: Resource) {
-    needs?.keep();
-  }
+  constructor(readonly library: Library, readonly pointer: number, readonly destroy: () => void) {}
 
   keep(): void {
     ++this.#users;
   }
   release(): void {
-    if (--this.#users !== 0) return;
-    this.library.c[this.destroy]!(this.pointer);
-    this.needs?.release();
+    if (--this.#users === 0) this.destroy();
   }
 }
 
@@ -33,13 +28,23 @@ export class Disposable {
     if (typeof Symbol.dispose === "symbol") this.prototype[Symbol.dispose] = this.prototype.dispose;
   }
 
-  /** @internal */
+  /** @internal `forget` is called once it is destroyed, or if it cannot be made. */
   constructor(library: Library, create: (scratch: Scratch, place: number) => number, destroy: `occlude_${string}`,
-              needs?: Resource) {
-    this.#resource = library.using(scratch => {
-      const place = scratch.room(4);
-      library.check(create(scratch, place));
-      return new Resource(library, library.memory.getUint32(place, true), destroy, needs);
+              forget: () => void = () => {}) {
+    let pointer: number;
+    try {
+      pointer = library.using(scratch => {
+        const place = scratch.room(4);
+        library.check(create(scratch, place));
+        return library.memory.getUint32(place, true);
+      });
+    } catch (error) {
+      forget();
+      throw error;
+    }
+    this.#resource = new Resource(library, pointer, () => {
+      library.c[destroy]!(pointer);
+      forget();
     });
     net.register(this, this.#resource, this);
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 import {cameraOf, type Camera} from "./cameras.mjs";
 import {refuse} from "./errors.mjs";
-import {cullOptionsOf, frameOf, type CullOptions, type SceneFrame} from "./frames.mjs";
+import {cullOptionsOf, flag, frameOf, type CullOptions, type SceneFrame} from "./frames.mjs";
 import {idsOf, numberOf, type Ids, type ObjectId, type ObjectIds, type OccluderId, type OccluderIds} from "./ids.mjs";
 import {structs} from "./layout.mjs";
 import type {Library, Scratch} from "./library.mjs";
 import type {OccluderMesh} from "./mesh.mjs";
-import {boxesOf, fixed, type Boxes, type Numbers} from "./numbers.mjs";
+import {boxesOf, countOfBoxes, fixed, type Boxes, type Numbers} from "./numbers.mjs";
 import {Disposable} from "./resource.mjs";
 import {asked, type View} from "./view.mjs";
 
@@ -65,8 +65,8 @@ export class Scene extends Disposable {
 
   /** The box has six numbers, or twelve if it is oriented. */
   addObject(box: Boxes, options: ObjectOptions = {}): ObjectId {
-    const ids = this.addObjects(box, options);
-    return ids.length === 1 ? ids[0]! : refuse(`${ids.length} boxes where one is needed`);
+    const count = countOfBoxes(box);
+    return count === 1 ? this.addObjects(box, options)[0]! : refuse(`${count} boxes where one is needed`);
   }
 
   /** An object for each box. Objects that are near each other are best added together. */
@@ -254,15 +254,15 @@ export class Scene extends Disposable {
 
 const objectOptionsOf = (scratch: Scratch, options: ObjectOptions): number =>
   scratch.struct(structs.objectOptions, {
-    moves: Number(options.moves ?? false),
-    is_always_drawn: Number(options.alwaysDrawn ?? false),
+    moves: flag(options.moves),
+    is_always_drawn: flag(options.alwaysDrawn),
     mask: options.mask,
   });
 
 const occluderOptionsOf = (scratch: Scratch, options: OccluderOptions): number =>
   scratch.struct(structs.occluderOptions, {
-    moves: Number(options.moves ?? false),
-    is_one_sided: Number(options.oneSided ?? false),
+    moves: flag(options.moves),
+    is_one_sided: flag(options.oneSided),
     mask: options.mask,
     weld: options.weld,
     "object.number": options.object,

@@ -15,4 +15,7 @@ OCCLUDE_API void (*occlude_js_later_function())(void*, occlude_task, void*) { re
 /// Calls a task that was left.
 OCCLUDE_API void occlude_js_run(occlude_task task, void* work) { task(work); }
 
+// In place of the runtime's, which prints, and for that brings all of printf.
+[[noreturn]] void abort_message(const char*, ...) { __builtin_trap(); }
+
 }  // extern "C"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models as the C interface would have them: `Culler` for JavaScript, which reaches functions of C alone. As in occlude.h,
-// no function throws; those that can fail return an occlude_status.
+// Models as the C interface would have them, culled by cover: `Culler` for JavaScript, which reaches functions of C alone.
+// As in occlude.h, no function throws; those that can fail return an occlude_status.
 #pragma once
 
 #include <cstddef>
@@ -10,36 +10,32 @@
 
 extern "C" {
 
-/// A model that stands still (class Culler), and one camera of it with its last frame (class View).
+/// A model that stands still, with all that frames need, and one camera of it with its last frame.
 typedef struct occlude_model occlude_model;
 typedef struct occlude_model_view occlude_model_view;
 
-typedef std::int32_t occlude_method;
-enum { OCCLUDE_AUTOMATIC = 0, OCCLUDE_FRUSTA = 1, OCCLUDE_COVER = 2 };
-
-/// Members of CullOptions, and 0 for no limit as occlude_cull_options has it.
+/// As occlude_cull_options.
 typedef struct occlude_model_options {
-  occlude_method method;
-  std::uint32_t occluders, probes;
-  std::int32_t is_with_unions;
-  double margin;
   std::int32_t cover_width, cover_height;
   std::uint64_t cover_work;
-  double cover_ms;
+  double cover_ms, margin;
+  std::int32_t is_adaptive, reserved;
 } occlude_model_options;
 
 #define OCCLUDE_MODEL_OPTIONS_INIT \
-  { OCCLUDE_AUTOMATIC, 8, 8, 0, 0, 576, 360, 0, 0 }
+  { 576, 360, 0, 0, 0, 1, 0 }
 
 /// Polygons of the model's order.
 typedef struct occlude_range {
   std::uint32_t first, count;
 } occlude_range;
 
-/// Polygons that are not drawn, and why: 0: beyond planes[index], 1: in a shadow, 2: behind the cover.
+/// Polygons that are not drawn: beyond planes[plane], or hidden.
 typedef struct occlude_culled_range {
-  std::uint32_t first, count, by, index;
+  std::uint32_t first, count, plane;
 } occlude_culled_range;
+
+#define OCCLUDE_HIDDEN_RANGE 0xffffffffu
 
 /// The last frame of a view. The arrays belong to the view.
 typedef struct occlude_model_frame {
@@ -49,8 +45,10 @@ typedef struct occlude_model_frame {
   std::size_t culled_count;
   const occlude_half_space* planes;
   std::size_t plane_count;
-  std::size_t drawn_polygons, view_culled_polygons, shadow_culled_polygons;
-  std::size_t nodes_visited, view_tests, shadow_tests, cover_tests, cover_triangles, unasked_polygons;
+  std::size_t drawn_polygons, out_of_view_polygons, hidden_polygons;
+  std::size_t unasked_polygons;  ///< drawn: the budget was spent, or they were idle
+  std::size_t nodes_visited, view_tests, cover_tests, cover_triangles;
+  std::uint64_t cover_work;  ///< as occlude_cull_options.cover_work counts it
 } occlude_model_frame;
 
 OCCLUDE_API occlude_status occlude_model_create(const occlude_mesh_data* data, std::uint32_t leaf_size,
@@ -59,10 +57,10 @@ OCCLUDE_API void occlude_model_destroy(occlude_model* model) noexcept;
 OCCLUDE_API std::size_t occlude_model_polygons(const occlude_model* model) noexcept;
 /// Writes the number that each polygon of the model's order had when given.
 OCCLUDE_API occlude_status occlude_model_order(const occlude_model* model, std::uint32_t* order) noexcept;
-OCCLUDE_API occlude_status occlude_model_prepare(const occlude_model* model, occlude_method method) noexcept;
 
 OCCLUDE_API occlude_status occlude_model_view_create(occlude_model_view** view) noexcept;
 OCCLUDE_API void occlude_model_view_destroy(occlude_model_view* view) noexcept;
+/// The next frame of the view, which starts anew if the frame before was of another model.
 OCCLUDE_API occlude_status occlude_model_cull(const occlude_model* model, const occlude_matrix_camera* camera,
                                               const occlude_model_options* options, occlude_model_view* view) noexcept;
 OCCLUDE_API occlude_status occlude_model_cull_look_at(const occlude_model* model, const occlude_look_at_camera* camera,
