@@ -23,7 +23,8 @@ function compare(name, native, web) {
     times.web.push(web());
   }
   const ratios = times.web.map((time, i) => time / times.native[i]);
-  console.log(`${name}: native ${median(times.native).toFixed(3)} ms, web ${median(times.web).toFixed(3)} ms, ${median(ratios).toFixed(2)} x`);
+  const [nativeMs, webMs] = [times.native, times.web].map(each => median(each).toFixed(3));
+  console.log(`${name}: native ${nativeMs} ms, web ${webMs} ms, ${median(ratios).toFixed(2)} x`);
 }
 
 /** 50,000 objects and 1,500 houses that stand still, and the way around. */
@@ -47,7 +48,8 @@ function town() {
 const steps = town();
 writeFileSync(join(files, "steps"), bytesOf(steps));
 const run = (program, ...given) => Number(execFileSync(join(programs, program), given, {encoding: "utf8"}));
-compare("50,000 objects, 1,500 houses", () => run("js_replay", join(files, "steps"), join(files, "answers")), () => replay(occlude, steps).milliseconds);
+const native = () => run("js_replay", join(files, "steps"), join(files, "answers"));
+compare("50,000 objects, 1,500 houses", native, () => replay(occlude, steps).milliseconds);
 
 for (const model of ["utrecht_centre", "composite_city_temple_hills", "intel_castle", "sponza"]) {
   const ply = join(models, `${model}.ply`);

@@ -26,7 +26,8 @@ function withFiles(work) {
   }
 }
 
-test("100,000 random edits: each frame is that of the native library", need(program("js_replay"), "js_replay (OCCLUDE_JS_NATIVE)"), async () => {
+const needsReplay = need(program("js_replay"), "js_replay (OCCLUDE_JS_NATIVE)");
+test("100,000 random edits: each frame is that of the native library", needsReplay, async () => {
   const occlude = await load();
   const steps = randomEdits(random(3), 100000);
   const {answers} = replay(occlude, steps);

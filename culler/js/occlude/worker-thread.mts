@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The thread of a WorkerScene that culls.
-import {load, OccludeError, slots, type Boxes, type Numbers, type Occlude, type ObjectId, type OccluderId, type OccluderMesh} from "./occlude.mjs";
+import {
+  load, slots, type Boxes, type Numbers, type Occlude, type OccludeError, type ObjectId, type OccluderId, type OccluderMesh,
+} from "./occlude.mjs";
 import type {Answer, Edit, Question, Refusal, Start} from "./worker_messages.mjs";
 
 /** Serves the WorkerScene at the other end. */
