@@ -12,6 +12,7 @@ kernel:
 kernel/judge: kernel
 culler: kernel
 culler/c: kernel culler
+culler/js: kernel culler culler/c
 oracle:
 render: kernel culler
 culler/python: kernel culler oracle

@@ -9,8 +9,8 @@
 
 #include "base/lazy.h"
 #include "camera/clearance.h"
-#include "cover/cull_by_cover.h"
 #include "frame/begin_frame.h"
+#include "frame/next_by_cover.h"
 #include "frusta/cull_by_frusta.h"
 #include "model/hierarchy_blocks.h"
 #include "model/legal_soup.h"
@@ -96,18 +96,7 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
   if (is_by_cover(options.method)) {
     const CoverTriangles& triangles = this->triangles();
     const BlockTree tree = this->tree();
-    begin_frame(hierarchy_, camera, options, memory);
-    CullOptions limited = options;
-    const bool is_adaptive =
-        options.method == Method::automatic && !options.cover.as_before && memory.frame.view.eyes.is_point();
-    if (is_adaptive) {
-      memory.worth.begin_next(memory.frame.view);
-      memory.idle.begin_next(memory.worth.frame(), hierarchy_.nodes().size(), memory.frame.result);
-      limited.cover = memory.worth.limited(options.cover);
-    }
-    cull_by_cover(hierarchy_, tree, triangles, limited, memory.frame, memory.cover, memory.leaves, memory.idle);
-    const CullStats& stats = memory.frame.result.stats;
-    if (is_adaptive) memory.worth.learn(stats.shadow_culled_polygons, stats.drawn_polygons, stats.cover_work);
+    next_by_cover(hierarchy_, tree, triangles, camera, options, memory);
   } else {
     // In the order of prepare().
     const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;

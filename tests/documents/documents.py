@@ -3,8 +3,8 @@
 
 
 def documents(folder):
-    """All but those in what a build makes, in folders beside the project and in folders with a dot, which the site leaves out, too."""
+    """All but those in what a build makes or installs, in folders beside the project and in folders with a dot."""
     files = [file for file in sorted(folder.rglob("*.md"))
-             if not any(part in ("build", "shared") or part.startswith(".") for part in file.relative_to(folder).parts)]
+             if not any(part in ("build", "node_modules", "shared") or part.startswith(".") for part in file.relative_to(folder).parts)]
     assert len(files) > 20, f"only {len(files)} documents were found"
     return files

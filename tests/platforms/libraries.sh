@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What the kernel, the culler and their tests need on a platform, from Debian's sources into FOLDER/prefix, once: Debian has
-# Highway and GoogleTest for this machine alone. Installs the compiler and what runs its programs.
+# What the kernel, the culler and their tests need on a platform, from Debian's sources into FOLDER/prefix, once, and again when
+# this script has changed: Debian has Highway and GoogleTest for this machine alone. Installs the compiler and what runs its programs.
 # Usage: bash tests/platforms/libraries.sh aarch64|s390x|windows|wasm FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -16,29 +16,31 @@ case $platform in
   *) packages+=(qemu-user "g++-$platform-linux-gnu") ;;
 esac
 bash .ci/packages.sh "${packages[@]}"
-[ -e "$folder/prefix/complete" ] && exit
+[ "$folder/prefix/complete" -nt tests/platforms/libraries.sh ] && exit
+rm -rf "$folder/prefix"
 
 # Where Debian has what Emscripten's scripts need. Its own node looks there unasked.
 export NODE_PATH=/usr/share/nodejs
 
-# get_source PACKAGE [PATTERN...]: Debian's source of a package, or the parts of it whose paths match, into FOLDER/PACKAGE,
-# whether or not this machine lists sources.
+# get_source RELEASE PACKAGE [PATTERN...]: the source of a package of this release of Debian, or the parts of it whose paths
+# match, into FOLDER/PACKAGE, whether or not this machine lists sources.
 get_source() {
   (
     cd "$folder"
     local apt=(apt-get -o "Dir::Etc::sourcelist=$PWD/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$PWD/lists")
-    mkdir -p lists/partial "$1"
-    echo "deb-src http://deb.debian.org/debian bookworm main" >sources.list
+    rm -rf "$2" "$2"_*
+    mkdir -p lists/partial "$2"
+    echo "deb-src http://deb.debian.org/debian $1 main" >sources.list
     "${apt[@]}" update
-    "${apt[@]}" source --download-only "$1"
-    tar -xf "$1"_*.orig.tar.* -C "$1" --strip-components 1 --wildcards "${@:2}"
+    "${apt[@]}" source --download-only "$2"
+    tar -xf "$2"_*.orig.tar.* -C "$2" --strip-components 1 --wildcards "${@:3}"
   )
 }
 
 # The standard library of Debian's Emscripten lacks much of C++20. That of LLVM 16 has it, and clang 14 can compile it. The
 # rest of the runtime stays that of Emscripten, whose namespace, __2, is kept.
 install_standard_library() {
-  get_source llvm-toolchain-16 '*/libcxx/include' '*/libcxx/src'
+  get_source bookworm llvm-toolchain-16 '*/libcxx/include' '*/libcxx/src'
   local sources=$folder/llvm-toolchain-16/libcxx include=$folder/prefix/include/c++/v1 objects=$folder/libcxx-build
   mkdir -p "$include" "$objects"
   cp -r "$sources/include/." /usr/share/emscripten/system/lib/libcxxabi/include/*.h "$include"
@@ -65,8 +67,12 @@ install_library() {
   cmake --build "$folder/$2" --target install
 }
 
-[ "$platform" != wasm ] || install_standard_library
-get_source highway
+release=bookworm
+if [ "$platform" = wasm ]; then
+  release=trixie  # whose Highway has vectors of doubles there
+  install_standard_library
+fi
+get_source "$release" highway
 install_library "$folder/highway" highway-build -DBUILD_TESTING=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF
 install_library /usr/src/googletest googletest-build -DBUILD_GMOCK=OFF
 # GLM and the JSON parser are headers. The folder that holds them, /usr/include, must not be searched for this platform.
