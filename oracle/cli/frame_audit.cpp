@@ -239,8 +239,14 @@ render::SceneRenderer& Auditor::renderer(const LoggedFrame& frame) {
 
 render::Image Auditor::picture(const LoggedFrame& frame, const std::vector<SeenPolygon>& marked) {
   std::vector<culler::PolygonRange> ranges;
-  for (const SeenPolygon& polygon : marked) ranges.push_back({polygon.in_tree, 1});
-  return marked_picture(culler_.hierarchy().soup(), renderer(frame), frame.shown, ranges);
+  std::vector<glm::dvec2> places;
+  for (const SeenPolygon& polygon : marked) {
+    ranges.push_back({polygon.in_tree, 1});
+    places.push_back(polygon.pixel);
+  }
+  render::Image picture = marked_picture(culler_.hierarchy().soup(), renderer(frame), frame.shown, ranges);
+  add_rings(picture, places);
+  return picture;
 }
 
 }  // namespace occlude::cli

@@ -49,7 +49,7 @@ class Auditor {
   /// Throws Interrupted on Ctrl-C.
   [[nodiscard]] FrameAudit judge(const LoggedFrame& frame);
 
-  /// The frame as it is without culling, with these polygons in magenta.
+  /// The frame as it is without culling, with these polygons in magenta, and rings around where they show.
   [[nodiscard]] render::Image picture(const LoggedFrame& frame, const std::vector<SeenPolygon>& marked);
 
  private:
