@@ -38,7 +38,7 @@ test("a walk of 40 frames", needed, async () => {
     console.log(text);
     assert.deepEqual([result.error, result.frames, result.different], [undefined, 40, 0]);
     assert.ok(result.colours > 100, "there is something in the pictures");
-    assert.ok(result.calls < 0.8 * result.allCalls, "something is left out");
+    assert.ok(result.allCalls - result.calls > 50 * result.frames, "something is left out, though all is drawn for shadows");
   } finally {
     server.close();
     rmSync(profile, {recursive: true, force: true});
