@@ -104,7 +104,8 @@ test("what may reach out of its box, or shows through, is always drawn", () => {
   morphing.geometry.morphAttributes.position = [morphing.geometry.getAttribute("position")];
   const own = new THREE.Mesh(cubes(), new THREE.ShaderMaterial()), patched = mesh();
   patched.material.onBeforeCompile = () => {};
-  const all = [skinned, morphing, own, patched, mesh({depthTest: false}), mesh({wireframe: true}), mesh({polygonOffset: true}), mesh({stencilWrite: true})];
+  const ways = [{depthTest: false}, {wireframe: true}, {polygonOffset: true}, {stencilWrite: true}];
+  const all = [skinned, morphing, own, patched, ...ways.map(way => mesh(way))];
   for (const each of all) each.position.z = -20, scene.add(each);
   occlusion.update(camera);
   const {drawn} = render(scene, camera);

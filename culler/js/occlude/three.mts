@@ -285,7 +285,8 @@ function staysInBox(mesh: THREE.Mesh): boolean {
 
 function isSimple(material: THREE.Material): boolean {
   const {displacementMap, wireframe, positionNode, vertexNode} = material as THREE.Material & Record<string, unknown>;
-  const hasOwnShader = material instanceof THREE.ShaderMaterial || material.onBeforeCompile !== defaultCompile || positionNode || vertexNode;
+  const isPatched = material.onBeforeCompile !== defaultCompile || positionNode || vertexNode;
+  const hasOwnShader = material instanceof THREE.ShaderMaterial || isPatched;
   const isDrawnBehind = material.depthTest && material.depthFunc === THREE.LessEqualDepth && !material.polygonOffset;
   return !hasOwnShader && !displacementMap && !wireframe && isDrawnBehind && !material.stencilWrite;
 }
@@ -300,7 +301,8 @@ function hidingSideOf(mesh: THREE.Mesh): THREE.Side | undefined {
 
 function isOpaque(material: THREE.Material): boolean {
   const {transmission = 0} = material as THREE.Material & {transmission?: number};
-  const isSolid = !material.transparent && material.alphaTest === 0 && !material.alphaHash && !material.alphaToCoverage && transmission === 0;
+  const isTested = material.alphaTest !== 0 || material.alphaHash || material.alphaToCoverage;
+  const isSolid = !material.transparent && !isTested && transmission === 0;
   const isNormal = material.blending === THREE.NormalBlending || material.blending === THREE.NoBlending;
   return isSolid && isNormal && material.visible && material.depthWrite && material.colorWrite && !material.clippingPlanes?.length;
 }
