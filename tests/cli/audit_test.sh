@@ -164,6 +164,14 @@ for options in "--method cover" "--method frusta" "--hold 2"; do
 done
 "$occlude" preprocess city.ply --out city.pre >/dev/null || fail "preprocess"
 judge city.pre walk.jsonl 0
+# A store is judged polygon by polygon, too, though its leaves are larger. What is settled in it cannot be asked for.
+"$occlude" preprocess good.ply --leaf 64 --out good.pre >/dev/null || fail "preprocess"
+judge good.pre hidden.jsonl 0
+judged proved_hidden 63
+for option in "--up y" "--unit cm" "--opaque-all"; do
+  # shellcheck disable=SC2086
+  expect_error "${option% *}: good.pre is a store" "$occlude" audit good.pre --log hidden.jsonl $option
+done
 
 # Logs that cannot be read are named with the line, or the record.
 bad() { # bad TEXT LINE: a log of two frames, of which the second is this line
