@@ -53,12 +53,12 @@ void mark(std::vector<bool>& marks, const std::vector<culler::PolygonRange>& ran
 }  // namespace
 
 CullLog::CullLog(const std::string& file, std::size_t polygons) : lines_(file), polygons_(polygons) {
-  if (lines_.blocks().ahead().starts_with(kBinaryBegin)) binary_.emplace(lines_.blocks());
+  if (lines_.blocks().ahead().starts_with(kBinaryBegin)) binary_.emplace(lines_.blocks(), polygons_);
 }
 
 std::optional<LogRecord> CullLog::next_record() {
   ++records_;
-  if (binary_) return binary_->next();
+  if (binary_) return binary_->next(objects_.size());
   for (std::string line; lines_.next(line);) {
     if (line.find_first_not_of(" \t\r") != std::string::npos) return json_record(line);
   }
@@ -82,9 +82,10 @@ std::optional<LoggedFrame> CullLog::next() {
 void CullLog::require(const std::vector<culler::PolygonRange>& ranges) const {
   std::uint64_t listed = 0;
   for (const auto& [first, count] : ranges) {
+    if (count == 0) throw LineError(fmt::format("the range [{}, 0] is empty", first));
     const std::uint64_t end = std::uint64_t{first} + count;
     if (end > polygons_) {
-      throw LineError(fmt::format("polygons {} to {}: the model has {}", first, count == 0 ? first : end - 1, polygons_));
+      throw LineError(fmt::format("polygons {} to {}: the model has {}", first, end - 1, polygons_));
     }
     listed += count;
   }

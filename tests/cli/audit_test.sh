@@ -113,6 +113,19 @@ judged unsettled 1
 sed 's/^4 2 0$/4 2.001 0/' touching.ply >larger.ply
 judge larger.ply larger.jsonl 1 --item-buffers 0
 
+# What shows through a small window, of a picture that covers it but for that. Rays into all of it miss the window; item buffers
+# show it.
+window='2.005 -.9 -.9\n2.005 .9 -.9\n2.005 .9 .9\n2.005 -.9 .9\n'
+rectangle() { printf '2 %s %s\\n2 %s %s\\n2 %s %s\\n2 %s %s\\n' "$1" "$3" "$2" "$3" "$2" "$4" "$1" "$4"; } # from, to: y, z
+window+="$(rectangle -1 1 -.66 1)$(rectangle -1 1 -1 -.73)$(rectangle -1 .13 -.73 -.66)$(rectangle .19 1 -.73 -.66)"
+ply window.ply 20 5 "$window"'4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n'
+for camera in "$eye" "$matrix" "$column"; do
+  echo "{\"frame\":0,$camera,\"culled\":[0]}" >window.jsonl
+  judge window.ply window.jsonl 0 --item-buffers 0
+  judged unsettled 1
+  judge window.ply window.jsonl 1
+done
+
 # What is before the near plane hides nothing; what is out of the picture is not seen.
 echo "{\"frame\":0,$eye,\"near\":2.5,\"culled\":[0]}" >near.jsonl
 judge good.ply near.jsonl 0
@@ -183,6 +196,7 @@ bad '' 'frame 1'
 bad '' '[1]'
 bad 'polygons 64 to 64: the model has 64' "{\"frame\":1,$eye,\"culled\":[64]}"
 bad 'polygons 60 to 64: the model has 64' "{\"frame\":1,$eye,\"culled\":[[60,5]]}"
+bad 'the range [5, 0] is empty' "{\"frame\":1,$eye,\"culled\":[[5,0]]}"
 bad '"culled": expected whole numbers' "{\"frame\":1,$eye,\"culled\":[-1]}"
 bad '"culled": expected whole numbers' "{\"frame\":1,$eye,\"culled\":[[0,4294967296]]}"
 bad '"culled": expected numbers and ranges' "{\"frame\":1,$eye,\"culled\":[[0,1,2]]}"
@@ -232,6 +246,22 @@ expect_error "cut.log: no frames" "$occlude" audit wall.ply --log cut.log
 expect_error "kind.log: record 1: no kind of record: 9" "$occlude" audit wall.ply --log kind.log
 { head -c 24 culled.log; printf '\7'; tail -c +26 culled.log; } >what.log
 expect_error "what.log: record 1: what is listed" "$occlude" audit wall.ply --log what.log
+# Lists that are longer than the model, or than there are objects: no more of them is read. An empty range.
+u32() { printf '%b' "$(printf '\\x%02x' $(($1 & 255)) $((($1 >> 8) & 255)) $((($1 >> 16) & 255)) $(($1 >> 24)))"; }
+list_of() { # list_of WHAT NUMBER...: the first frame of the log, to its list, and these numbers
+  head -c 24 culled.log
+  u32 "$1"
+  tail -c +29 culled.log | head -c 132
+  for number in "${@:2}"; do u32 "$number"; done
+}
+list_of 0 65 >long.log
+expect_error "long.log: record 1: it lists 65 ranges of polygons: there are 64" "$occlude" audit wall.ply --log long.log
+list_of 2 1 >long.log
+expect_error "long.log: record 1: it lists 1 objects: there are 0" "$occlude" audit wall.ply --log long.log
+{ printf 'OCCLLOG1'; u32 3; u32 7; u32 65; } >long.log
+expect_error "long.log: record 1: it lists 65 ranges of polygons" "$occlude" audit wall.ply --log long.log
+list_of 0 2 1 1 5 0 >empty.log
+expect_error "empty.log: record 1: the range [5, 0] is empty" "$occlude" audit wall.ply --log empty.log
 expect_error "OCCLLOG1" "$occlude" audit wall.ply --log <(echo 'OTHER')
 
 finish
