@@ -67,6 +67,8 @@ done
 judge good.ply <(cat wall.jsonl) 1
 gzip -k wall.jsonl
 judge good.ply wall.jsonl.gz 1
+# From a pipe whose first bytes come one by one, and padded as on a tape.
+judge good.ply <(head -c 1 wall.jsonl.gz; sleep 0.3; tail -c +2 wall.jsonl.gz; head -c 512 /dev/zero) 1
 "$occlude" audit good.ply --log - <wall.jsonl >stdout 2>stderr
 [ $? -eq 1 ] || fail "standard input: $(cat stderr)"
 
@@ -135,6 +137,13 @@ grep -q '"polygon":1,' audit/false_culls.jsonl || fail "beyond the near plane: $
 echo '{"frame":0,"eye":[0,0,0],"target":[-1,0,0],"width":320,"height":180,"culled":[[0,64]]}' >back.jsonl
 judge good.ply back.jsonl 0
 judged culled 0
+
+# A near plane just before the wall, and an oblique one that is nearer on the left: the wall is in their pictures.
+for slant_and_end in "0 -3.98" "0.3 -3.6"; do
+  near="0,0,1,1,-0.974278579257493,0,${slant_and_end% *},0,0,1.7320508075688772,0,0,0,0,${slant_and_end#* },0"
+  echo "{\"frame\":0,\"matrix\":[$near],\"width\":640,\"height\":360,\"culled\":[0]}" >near.jsonl
+  judge window.ply near.jsonl 1
+done
 
 # So it is beyond the far plane, and beside the picture where the box of a thing is not.
 echo "{\"frame\":0,$eye,\"far\":1.5,\"culled\":[0]}" >far.jsonl
@@ -213,6 +222,9 @@ bad 'the camera: ' "{\"frame\":1,$eye,\"near\":0,\"culled\":[]}"
 bad 'the camera: ' "{\"frame\":1,${matrix/1.7320508075688772/0},\"culled\":[]}"
 bad '"matrix": expected 16 numbers' '{"frame":1,"matrix":[1],"width":320,"height":180,"culled":[]}'
 bad 'the matrix has parallel rays' '{"frame":1,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"width":320,"height":180,"culled":[]}'
+bad 'the matrix: its eye is too far away' "{\"frame\":1,${matrix/0,-0.2,1,0,0,0/0,-1.0000000001e20,1,0,0,-1e20},\"culled\":[]}"
+bad '"view_height": expected' "{\"frame\":1,$eye,\"view_height\":2,\"culled\":[]}"
+bad '"fov_y_deg": an orthographic' "{\"frame\":1,$parallel,\"fov_y_deg\":60,\"culled\":[]}"
 bad '"order": expected "column" or "row"' "{\"frame\":1,${matrix/\"row\"/\"rows\"},\"culled\":[]}"
 bad 'it lists polygons twice' "{\"frame\":1,$eye,\"culled\":[[0,64],0]}"
 bad 'no object 5' "{\"frame\":1,$eye,\"culled_objects\":[5]}"
