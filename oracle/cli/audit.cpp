@@ -71,7 +71,7 @@ void add_audit(Command app, int& exit_code) {
   command.footer(
       "A log says for each frame its camera and the polygons or objects that were culled, or drawn: docs/audit.md. It may "
       "be\n"
-      "compressed by gzip. Each false cull is borne out by an exact ray; so is none that is not one.\n"
+      "compressed by gzip. Each false cull that is told is borne out by an exact ray.\n"
       "Exit code 0; 1 when something visible was culled (the first is printed); 2 for bad input.\n" +
       limits_help() +
       "\n"
