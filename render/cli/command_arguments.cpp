@@ -254,9 +254,11 @@ Option WalkArguments::add_model_to(Command command) {
   return added.front();
 }
 
-void WalkArguments::require_settled(const std::string& model) const {
-  const auto given = std::ranges::find_if(build_options_, &Option::is_given);
-  if (given == build_options_.end() || !render::is_store(model)) return;
+void WalkArguments::require_settled(const std::string& model) const { cli::require_settled(build_options_, model); }
+
+void require_settled(std::span<const Option> options, const std::string& model) {
+  const auto given = std::ranges::find_if(options, &Option::is_given);
+  if (given == options.end() || !render::is_store(model)) return;
   refuse(given->name(), model + " is a store, in which this is settled: give it to `occlude preprocess`");
 }
 

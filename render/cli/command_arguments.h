@@ -2,6 +2,7 @@
 // Options that several subcommands share.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,7 +68,7 @@ class WalkArguments {
 
   /// Notes that by the other methods the option does nothing: without --method it asks for frusta. Returns the option.
   Option of_frusta(Option option);
-  /// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
+  /// require_settled() of the options by which the model is read and prepared.
   void require_settled(const std::string& model) const;
   /// Whether --method is given.
   [[nodiscard]] bool has_method() const { return !method_.empty(); }
@@ -109,6 +110,9 @@ class PartsArguments {
 struct PictureSize {
   int width, height;
 };
+
+/// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
+void require_settled(std::span<const Option> options, const std::string& model);
 
 /// Parses "WxH", each from `least` to `most` pixels; calls refuse() for anything else.
 [[nodiscard]] PictureSize parse_size(const std::string& option, const std::string& text, std::size_t least,
