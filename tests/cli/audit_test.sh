@@ -128,6 +128,14 @@ for camera in "$eye" "$matrix" "$column"; do
   judge window.ply window.jsonl 1
 done
 
+# A window in the lower part of a wall that lies in one plane with the thing. A picture may show the thing all over it: its first
+# pixels, which are above the window, do not tell.
+wall_with_window="$(rectangle -1 1 -1 1)$(rectangle -1 1 -.4 1)$(rectangle -1 1 -1 -.9)$(rectangle -1 -.9 -.9 -.4)$(rectangle .9 1 -.9 -.4)"
+ply plane.ply 20 5 "$wall_with_window"'4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n'
+echo '{"frame":0,"eye":[0,0,0],"target":[1,0,0],"width":284,"height":160,"culled":[0]}' >plane.jsonl
+judge plane.ply plane.jsonl 0 --rays 0 --item-buffers 0
+judge plane.ply plane.jsonl 1 --rays 0
+
 # What is before the near plane hides nothing; what is out of the picture is not seen.
 echo "{\"frame\":0,$eye,\"near\":2.5,\"culled\":[0]}" >near.jsonl
 judge good.ply near.jsonl 0
