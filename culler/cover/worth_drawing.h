@@ -45,8 +45,9 @@ inline constexpr std::size_t kTrianglesOfPixel = 512, kMostWorth = std::size_t{3
 
 /// With a budget for so many triangles, a leaf must be seen through twice as many pixels as the picture of so many pixels
 /// has for each of them: large leaves are drawn first, wherever they are. Frames of a quarter of a millisecond to two cull a
-/// tenth to a half more of Utrecht and the castle with it. From half to ten times as many pixels were tried. A budget for more
-/// than kAmple is nearly enough for everything. Then what hides best is what is nearest, and the pixels fall with the square.
+/// tenth to a half more of Utrecht and the castle with it. From half to ten times as many pixels were tried. A budget for
+/// more than kAmple is nearly enough for everything. Then what hides best is what is nearest, and the pixels fall with the
+/// square.
 inline constexpr double kAmple = 5000;
 [[nodiscard]] inline int worth_of_budget(int pixels, double triangles) {
   const double share = 2.0 * pixels / std::max(triangles, 1.0);
