@@ -381,7 +381,7 @@ TEST(CoverFrame, ATightBudgetHasASmallerPicture) {
   whole.cover.width = whole.cover.height = 512;
   CullOptions options = whole;
   int last = 0;
-  for (const std::size_t triangles : {0, 100, 500, 2500, 10000, 100000}) {
+  for (const std::size_t triangles : std::initializer_list<std::size_t>{0, 100, 500, 2500, 10000, 100000}) {
     SCOPED_TRACE(triangles);
     options.cover.work = triangles * CoverOptions::kWorkOfTriangle;
     View view;
