@@ -36,10 +36,7 @@ culler::Culler culler_of(culler::PolygonSoup model) {
 }
 
 void audit(AuditArguments& arguments, int& exit_code) {
-  const PictureSize cover =
-      parse_size("--cover-size", arguments.cover_size, culler::kLeastCoverSide, culler::kMostCoverSide);
-  arguments.options.cover.width = cover.width;
-  arguments.options.cover.height = cover.height;
+  set_cover_size(arguments.options.cover, arguments.cover_size);
   std::optional<AuditFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
   require_settled(arguments.reading, arguments.model);

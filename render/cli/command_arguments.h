@@ -118,6 +118,9 @@ void require_settled(std::span<const Option> options, const std::string& model);
 [[nodiscard]] PictureSize parse_size(const std::string& option, const std::string& text, std::size_t least,
                                      std::size_t most);
 
+/// Sets the size of the coarse picture from the text of --cover-size; calls refuse() for what is no size.
+void set_cover_size(culler::CoverOptions& options, const std::string& text);
+
 /// The largest side of a picture that is drawn; llvmpipe allows 16384, memory less.
 inline constexpr std::size_t kLargestSide = 8192;
 
