@@ -56,7 +56,7 @@ export class ModelView extends Disposable {
 
   /** As View.holdsFor(). */
   holdsFor(camera: Camera): boolean {
-    return holdsFor(this, "occlude_model_view", camera);
+    return holdsFor(this, "occlude_model_view_holds_for", camera);
   }
 }
 

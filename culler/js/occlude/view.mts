@@ -17,12 +17,12 @@ export function asked(library: Library, ask: (holds: number) => number): boolean
   });
 }
 
-/** Whether the last frame of a view of this type in C does for the camera, too. */
-export function holdsFor(view: Disposable, type: "occlude_view" | "occlude_model_view", camera: Camera): boolean {
+/** Asks a function of C whether the last frame of a view does for the camera, too. */
+export function holdsFor(view: Disposable, ask: "occlude_view_holds_for" | "occlude_model_view_holds_for", camera: Camera): boolean {
   const {library, pointer} = view.resource;
   return library.using(scratch => {
     const {place, suffix} = cameraOf(scratch, camera);
-    return asked(library, holds => library.c[`${type}_holds_for${suffix}`]!(pointer, place, holds));
+    return asked(library, holds => library.c[`${ask}${suffix}`]!(pointer, place, holds));
   });
 }
 
@@ -38,7 +38,7 @@ export class View extends Disposable {
    * of its `eyes`. Never true by rounding, and not before the first frame.
    */
   holdsFor(camera: Camera): boolean {
-    return holdsFor(this, "occlude_view", camera);
+    return holdsFor(this, "occlude_view_holds_for", camera);
   }
 
   /** Whether boxes, such as those of objects about to be added, would be visible in the last frame; before it all are. */
