@@ -137,6 +137,8 @@ class Town {
     things_.push_back({scene.add(box, {.moves = moves}), box, moves});
   }
   void change_house() {
+    constexpr std::size_t kFewest = 30;  // a town in which houses come and go for long has some left
+    if (houses_.size() < kFewest) return add_house();
     House& house = houses_[random_() % houses_.size()];
     switch (random_() % 5) {
       case 0:
