@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// occlude bake: what is seen from anywhere in each of many cells.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "cells.h"
+#include "command_arguments.h"
+#include "commands.h"
+#include "held/around_box.h"
+#include "object_list.h"
+#include "occlude/culler/culler.h"
+#include "occlude/render/console.h"
+#include "occlude/render/digest.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/interrupt.h"
+#include "occlude/render/job.h"
+#include "occlude/render/packing.h"
+#include "occlude/render/progress.h"
+#include "occlude/render/ranks.h"
+#include "occlude/render/stopwatch.h"
+#include "occlude/render/store.h"
+#include "path_arguments.h"
+#include "visible_sets.h"
+
+namespace occlude::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char *kGrid = "grid", *kCorridor = "corridor";
+
+struct BakeArguments {
+  std::string model, out, cells, heights, objects;
+  CellGrid grid;
+  double reach = 5;
+  std::size_t cover_size = 384;
+  ReadArguments read;
+  PathArguments path;
+  PartsArguments parts;
+  bool json = false;
+  std::string given;  ///< the options on which the sets depend
+};
+
+/// The layer "LOW:HIGH" along the axis that is up.
+CellGrid::Layer layer_of(const std::string& text, const glm::dvec3& up) {
+  const std::size_t colon = text.find(':');
+  const auto low = parse_number(text.substr(0, colon)),
+             high = colon == std::string::npos ? std::nullopt : parse_number(text.substr(colon + 1));
+  if (!low || !high || !(*low <= *high)) refuse("--heights", "expected LOW:HIGH, two numbers");
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 along{0, 0, 0};
+    along[axis] = 1;
+    if (up == along || up == -along) return {*low, *high, axis, up != along};
+  }
+  refuse("--heights", "what is up in the model is no axis: list the cells in a file");
+}
+
+/// The sets are of the polygons of the model's file, or of objects.
+struct Items {
+  std::uint32_t count;
+  std::vector<std::uint32_t> of_polygon;  ///< of each polygon of the tree; `count` if it is in none
+};
+
+Items items_of(const culler::Hierarchy& hierarchy, const std::string& objects) {
+  Items items{static_cast<std::uint32_t>(hierarchy.face_count()), std::vector<std::uint32_t>(hierarchy.soup().size())};
+  for (std::size_t p = 0; p < items.of_polygon.size(); ++p) items.of_polygon[p] = hierarchy.face(p);
+  if (objects.empty()) return items;
+  const ObjectList list = read_objects(objects, hierarchy.face_count());
+  items.count = list.count;
+  for (std::uint32_t& item : items.of_polygon) item = list.of_polygon[item];
+  return items;
+}
+
+/// Bakes one cell after another.
+class Baker {
+ public:
+  Baker(const culler::Culler& culler, const Items& items, std::vector<kernel::Aabb> cells, std::size_t cover_size)
+      : culler_(culler), items_(items), cells_(std::move(cells)) {
+    options_.method = culler::Method::cover;
+    options_.cover.width = options_.cover.height = static_cast<int>(cover_size);
+  }
+
+  [[nodiscard]] const std::vector<kernel::Aabb>& cells() const { return cells_; }
+
+  [[nodiscard]] BakedCell bake(std::size_t cell) const {
+    std::vector<bool> seen(items_.count + std::size_t{1}), cells(cells_.size());
+    cells[cell] = true;
+    culler::View view;
+    culler::cull_around(culler_, cells_[cell], options_, view, [&] {
+      for (const auto& [first, count] : view.result().drawn) {
+        for (std::uint32_t p = first; p < first + count; ++p) seen[items_.of_polygon[p]] = true;
+      }
+      for (std::size_t other = 0; other < cells_.size(); ++other) {
+        if (!cells[other]) cells[other] = view.visibility(cells_[other]) == culler::Visibility::visible;
+      }
+    });
+    seen.pop_back();  // what is in no object
+    return {cells_[cell], changes_of(seen), changes_of(cells)};
+  }
+
+ private:
+  const culler::Culler& culler_;
+  const Items& items_;
+  std::vector<kernel::Aabb> cells_;
+  culler::CullOptions options_;
+};
+
+Changes unpacked(render::Unpacker& unpacker, std::size_t count) {
+  Changes changes = unpacker.list<std::uint32_t>();
+  const bool is_set = changes.size() % 2 == 0 && (changes.empty() || changes.back() <= count) &&
+                      std::ranges::adjacent_find(changes, std::greater_equal<>()) == changes.end();
+  render::require_part(is_set, "what a cell sees is no set");
+  return changes;
+}
+
+/// All cells, on the first rank; the others only help.
+std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint32_t items) {
+  constexpr std::size_t kOfPart = 16;
+  const std::size_t count = baker.cells().size();
+  render::Progress progress("cell", count);
+  std::vector<BakedCell> baked;
+  std::size_t begun = 0;
+  const auto end_of = [&](std::size_t first) { return std::min(first + kOfPart, count); };
+  const auto next = [&]() -> std::optional<std::string> {
+    if (begun == count) return std::nullopt;
+    return render::Packer().put(std::exchange(begun, end_of(begun))).bytes();
+  };
+  const auto work = [&](const std::string& part) {
+    const auto first = render::Unpacker(part).get<std::size_t>();
+    render::require_part(first < count, "a cell that there is not");
+    std::vector<BakedCell> cells(end_of(first) - first);
+    culler::parallel_for(cells.size(), [&](std::size_t i) { cells[i] = baker.bake(first + i); }, render::check_interrupt);
+    render::Packer packer;
+    for (const BakedCell& cell : cells) packer.put(cell.items).put(cell.cells);
+    return packer.bytes();
+  };
+  const auto take = [&](const std::string& result) {
+    render::Unpacker unpacker(result);
+    for (const std::size_t end = end_of(baked.size()); baked.size() < end;) {
+      Changes seen = unpacked(unpacker, items);
+      baked.push_back({baker.cells()[baked.size()], std::move(seen), unpacked(unpacker, count)});
+    }
+    unpacker.finish();
+    progress.update(baked.size());
+  };
+  job.run({next, work, take});
+  return baked;
+}
+
+std::vector<kernel::Aabb> cells_of(BakeArguments& arguments, const render::ModelFile& model,
+                                   const culler::Hierarchy& hierarchy) {
+  if (arguments.cells != kGrid && arguments.cells != kCorridor) return read_cells(arguments.cells);
+  if (!arguments.heights.empty()) arguments.grid.layer = layer_of(arguments.heights, up_of(model.notes));
+  try {
+    if (arguments.cells == kGrid) return arguments.grid.cells_of(hierarchy.nodes()[0].box);
+    return arguments.grid.cells_along(arguments.path.through(model), arguments.reach);
+  } catch (const std::length_error& error) {
+    refuse("--cells", error.what());
+  }
+}
+
+std::uint64_t hash_of_file(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  render::Digest digest;
+  std::string bytes(std::size_t{1} << 20U, '\0');
+  while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || in.gcount() > 0) {
+    digest.add(std::string_view(bytes).substr(0, static_cast<std::size_t>(in.gcount())));
+  }
+  return digest.value();
+}
+
+std::string to_json(const VisibleSets& sets, std::size_t seen, std::size_t bytes, double seconds) {
+  const ordered_json told{{"cells", sets.cells.size()},
+                          {"items", sets.items},
+                          {"seen", seen},
+                          {"bytes", bytes},
+                          {"seconds", seconds}};
+  return told.dump(2) + "\n";
+}
+
+std::string to_text(const std::string& file, const VisibleSets& sets, std::size_t seen, std::size_t bytes, double seconds) {
+  const auto cells = static_cast<double>(sets.cells.size());
+  return fmt::format("{}: {} cells, each sees {:.1f} of {} on average; {} bytes, {:.2f} for each of these; {:.1f} s\n", file,
+                     sets.cells.size(), static_cast<double>(seen) / cells, sets.items, bytes,
+                     static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(seen, 1)), seconds);
+}
+
+void bake(BakeArguments& arguments) {
+  const bool is_first = render::is_first_rank();
+  std::optional<render::OutputFile> file;
+  if (is_first) file.emplace(arguments.out);
+  render::WalkOptions walk;
+  walk.read = arguments.read.options();
+  walk.cull.method = culler::Method::cover;
+  const render::ModelFile model = open_model(arguments.model, walk);
+  const culler::Culler culler = render::make_culler(model, walk);
+  const Items items = items_of(culler.hierarchy(), arguments.objects);
+  std::vector<kernel::Aabb> cells = cells_of(arguments, model, culler.hierarchy());
+  std::ranges::sort(cells, is_before);
+  const std::uint64_t hash = hash_of_file(arguments.model);
+  render::Job job(arguments.parts.keeping(), [&] {
+    const std::span<const kernel::Aabb> boxes = cells;
+    const std::span<const std::uint32_t> of_polygon = items.of_polygon;
+    return render::Digest().add(arguments.given).add(std::to_string(hash)).add(boxes).add(of_polygon).value();
+  });
+  const render::Stopwatch stopwatch;
+  culler.prepare(culler::Method::cover, render::check_interrupt);
+  VisibleSets sets{hash, items.count,
+                   bake_all(job, Baker(culler, items, std::move(cells), arguments.cover_size), items.count)};
+  if (!is_first) return;
+  make_mutual(sets.cells);
+  write_visible_sets(*file, sets);
+  file->commit();
+  job.finish();
+  const std::size_t seen = std::transform_reduce(sets.cells.begin(), sets.cells.end(), std::size_t{0}, std::plus<>(),
+                                                 [](const BakedCell& cell) { return size_of(cell.items); });
+  const std::size_t bytes = std::filesystem::file_size(arguments.out);
+  arguments.json ? render::print(to_json(sets, seen, bytes, stopwatch.seconds()))
+                 : render::tell(to_text(arguments.out, sets, seen, bytes, stopwatch.seconds()));
+}
+
+}  // namespace
+
+void add_bake(Command app, int&) {
+  Command command = app.add_command("bake", "Make visible sets: what is seen from anywhere in each of many cells");
+  command.footer(
+      "Whatever is not in the set of a cell is hidden from every eye in the cell, in all directions; whatever other cell is\n"
+      "not in it, all that is there. docs/bake.md has the layout of the file, and programs that read it.\n" +
+      limits_help() +
+      "\n"
+      "Example: occlude bake city.ply --cells corridor --path city.json --cell-size 2 --heights 1:3 --out city.pvs\n"
+      "Example: occlude bake house.glb --cells rooms.json --objects furniture.json --out house.pvs");
+  const auto a = std::make_shared<BakeArguments>();
+  add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ..., or a store").required();
+  command
+      .add("--cells", a->cells,
+           "grid: cubes that fill the box of the model; corridor: those along a path; or a JSON file of boxes")
+      .required()
+      .check(check_named)
+      .each([](const std::string& cells) {
+        if (cells != kGrid && cells != kCorridor) render::keep_input(cells);
+      });
+  add_output(command, "--out", a->out, "file to write").required();
+  command.add("--cell-size", a->grid.size, "side of a cube, in units of the model").show_default().in_range(1e-6, 1e9);
+  command.add("--heights", a->heights, "LOW:HIGH: one layer of cells, from and to these heights");
+  const Option path = a->path.add_to(command, "of --cells corridor");
+  command.add("--reach", a->reach, "how far cells of a corridor are from its path at most").show_default().in_range(0.0, 1e9);
+  add_input(command, "--objects", a->objects,
+            "JSON file of objects, of which the sets are then: for each a list of polygons and ranges [first, count]");
+  a->read.add_to(command);
+  command.under(kTuning, [&] {
+    command.add("--cover-size", a->cover_size, "side of the coarse pictures in pixels: larger ones hide more")
+        .show_default()
+        .in_range(std::size_t{culler::kLeastCoverSide}, std::size_t{culler::kMostCoverSide});
+  });
+  command.add_flag("--json", a->json, "print the counts as JSON");
+  a->parts.add_to(command, "bake");
+  command.run_on_all_ranks([a, command] {
+    a->given = command.given_but({"MODEL", "--out", "--json", "--quiet", "--parts", "--resume"});
+    bake(*a);
+  });
+}
+
+}  // namespace occlude::cli
