@@ -37,8 +37,6 @@
 namespace occlude::cli {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr const char *kGrid = "grid", *kCorridor = "corridor";
 
 struct BakeArguments {
@@ -182,7 +180,7 @@ std::uint64_t hash_of_file(const std::string& file) {
 }
 
 std::string to_json(const VisibleSets& sets, std::size_t seen, std::size_t bytes, double seconds) {
-  const ordered_json told{{"cells", sets.cells.size()},
+  const nlohmann::ordered_json told{{"cells", sets.cells.size()},
                           {"items", sets.items},
                           {"seen", seen},
                           {"bytes", bytes},
@@ -255,7 +253,7 @@ void add_bake(Command app, int&) {
   add_output(command, "--out", a->out, "file to write").required();
   command.add("--cell-size", a->grid.size, "side of a cube, in units of the model").show_default().in_range(1e-6, 1e9);
   command.add("--heights", a->heights, "LOW:HIGH: one layer of cells, from and to these heights");
-  const Option path = a->path.add_to(command, "of --cells corridor");
+  a->path.add_to(command, "of --cells corridor");
   command.add("--reach", a->reach, "how far cells of a corridor are from its path at most").show_default().in_range(0.0, 1e9);
   add_input(command, "--objects", a->objects,
             "JSON file of objects, of which the sets are then: for each a list of polygons and ranges [first, count]");

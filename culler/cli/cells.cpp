@@ -18,8 +18,6 @@
 namespace occlude::cli {
 namespace {
 
-using nlohmann::json;
-
 /// Which cube of the grid: how many lie before it along each axis.
 using Place = std::array<std::int64_t, 3>;
 
@@ -77,7 +75,7 @@ class Places {
   std::set<Place> places_;
 };
 
-kernel::Vec3 corner(const json& cell, const char* name) {
+kernel::Vec3 corner(const nlohmann::json& cell, const char* name) {
   const auto found = cell.find(name);
   if (found == cell.end()) throw std::invalid_argument(fmt::format("{}: missing", name));
   std::array<double, 3> numbers;
@@ -90,7 +88,7 @@ kernel::Vec3 corner(const json& cell, const char* name) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-kernel::Aabb cell_of(const json& cell) {
+kernel::Aabb cell_of(const nlohmann::json& cell) {
   if (!cell.is_object()) throw std::invalid_argument("expected an object");
   for (const auto& [name, value] : cell.items()) {
     if (name != "min" && name != "max") throw std::invalid_argument(fmt::format("unknown member \"{}\"", name));
@@ -128,16 +126,16 @@ std::vector<kernel::Aabb> CellGrid::cells_along(const render::CameraPath& path, 
 }
 
 std::vector<kernel::Aabb> read_cells(const std::string& file) {
-  const json root = render::read_json(file);
+  const nlohmann::json root = render::read_json(file);
   const auto fail = [&](const std::string& what) { throw render::InputError(fmt::format("{}: {}", file, what)); };
   if (!root.is_object() || root.size() != 1 || !root.contains("cells") || !root["cells"].is_array()) {
     fail("expected {\"cells\":[{\"min\":[x,y,z],\"max\":[x,y,z]}, …]}");
   }
-  const json& list = root["cells"];
+  const nlohmann::json& list = root["cells"];
   if (list.empty()) fail("no cells");
   if (list.size() > kMostCells) fail(fmt::format("more than {} cells", kMostCells));
   std::vector<kernel::Aabb> cells;
-  for (const json& cell : list) {
+  for (const nlohmann::json& cell : list) {
     try {
       cells.push_back(cell_of(cell));
     } catch (const std::invalid_argument& error) {

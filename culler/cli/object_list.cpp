@@ -12,12 +12,10 @@
 namespace occlude::cli {
 namespace {
 
-using nlohmann::json;
-
 /// A number, or a range [first, count].
-culler::PolygonRange range_of(const json& value, std::size_t polygons) {
+culler::PolygonRange range_of(const nlohmann::json& value, std::size_t polygons) {
   const bool is_range = value.is_array() && value.size() == 2;
-  const auto whole = [&](const json& number) {
+  const auto whole = [&](const nlohmann::json& number) {
     if (!number.is_number_unsigned()) throw std::invalid_argument("expected numbers of polygons and ranges [first, count]");
     const auto n = number.get<std::uint64_t>();
     if (n > polygons) throw std::invalid_argument(fmt::format("{}: the model has {} polygons", n, polygons));
@@ -34,18 +32,18 @@ culler::PolygonRange range_of(const json& value, std::size_t polygons) {
 }  // namespace
 
 ObjectList read_objects(const std::string& file, std::size_t polygons) {
-  const json root = render::read_json(file);
+  const nlohmann::json root = render::read_json(file);
   const auto fail = [&](const std::string& what) { throw render::InputError(fmt::format("{}: {}", file, what)); };
   if (!root.is_object() || root.size() != 1 || !root.contains("objects") || !root["objects"].is_array()) {
     fail("expected {\"objects\":[[polygon, [first, count], …], …]}");
   }
-  const json& objects = root["objects"];
+  const nlohmann::json& objects = root["objects"];
   ObjectList list{static_cast<std::uint32_t>(objects.size()), {}};
   list.of_polygon.assign(polygons, list.count);
   for (std::uint32_t object = 0; object < list.count; ++object) {
     try {
       if (!objects[object].is_array()) throw std::invalid_argument("expected an array");
-      for (const json& value : objects[object]) {
+      for (const nlohmann::json& value : objects[object]) {
         const auto [first, count] = range_of(value, polygons);
         for (std::uint32_t p = first; p < first + count; ++p) {
           std::uint32_t& of = list.of_polygon[p];
