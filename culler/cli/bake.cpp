@@ -202,6 +202,7 @@ void bake(BakeArguments& arguments) {
   render::WalkOptions walk;
   walk.read = arguments.read.options();
   walk.cull.method = culler::Method::cover;
+  walk.build.hierarchy.leaf_size = 1;  // polygon by polygon
   const render::ModelFile model = open_model(arguments.model, walk);
   const culler::Culler culler = render::make_culler(model, walk);
   const Items items = items_of(culler.hierarchy(), arguments.objects);
