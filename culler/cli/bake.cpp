@@ -139,7 +139,8 @@ std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint3
     const auto first = render::Unpacker(part).get<std::size_t>();
     render::require_part(first < count, "a cell that there is not");
     std::vector<BakedCell> cells(end_of(first) - first);
-    culler::parallel_for(cells.size(), [&](std::size_t i) { cells[i] = baker.bake(first + i); }, render::check_interrupt);
+    culler::parallel_for(
+        cells.size(), [&](std::size_t i) { cells[i] = baker.bake(first + i); }, render::check_interrupt);
     render::Packer packer;
     for (const BakedCell& cell : cells) packer.put(cell.items).put(cell.cells);
     return packer.bytes();
@@ -180,11 +181,8 @@ std::uint64_t hash_of_file(const std::string& file) {
 }
 
 std::string to_json(const VisibleSets& sets, std::size_t seen, std::size_t bytes, double seconds) {
-  const nlohmann::ordered_json told{{"cells", sets.cells.size()},
-                          {"items", sets.items},
-                          {"seen", seen},
-                          {"bytes", bytes},
-                          {"seconds", seconds}};
+  const nlohmann::ordered_json told{
+      {"cells", sets.cells.size()}, {"items", sets.items}, {"seen", seen}, {"bytes", bytes}, {"seconds", seconds}};
   return told.dump(2) + "\n";
 }
 
@@ -235,7 +233,8 @@ void bake(BakeArguments& arguments) {
 void add_bake(Command app, int&) {
   Command command = app.add_command("bake", "Make visible sets: what is seen from anywhere in each of many cells");
   command.footer(
-      "Whatever is not in the set of a cell is hidden from every eye in the cell, in all directions; whatever other cell is\n"
+      "Whatever is not in the set of a cell is hidden from every eye in the cell, in all directions; whatever other cell "
+      "is\n"
       "not in it, all that is there. docs/bake.md has the layout of the file, and programs that read it.\n" +
       limits_help() +
       "\n"
@@ -255,7 +254,9 @@ void add_bake(Command app, int&) {
   command.add("--cell-size", a->grid.size, "side of a cube, in units of the model").show_default().in_range(1e-6, 1e9);
   command.add("--heights", a->heights, "LOW:HIGH: one layer of cells, from and to these heights");
   a->path.add_to(command, "of --cells corridor");
-  command.add("--reach", a->reach, "how far cells of a corridor are from its path at most").show_default().in_range(0.0, 1e9);
+  command.add("--reach", a->reach, "how far cells of a corridor are from its path at most")
+      .show_default()
+      .in_range(0.0, 1e9);
   add_input(command, "--objects", a->objects,
             "JSON file of objects, of which the sets are then: for each a list of polygons and ranges [first, count]");
   a->read.add_to(command);

@@ -11,8 +11,8 @@
 
 namespace occlude::cli {
 
-/// A set of numbers as those at which it changes from "not in it" to "in it" and back, ascending. The symmetric difference of
-/// two sets is that of their changes.
+/// A set of numbers as those at which it changes from "not in it" to "in it" and back, ascending. The symmetric difference
+/// of two sets is that of their changes.
 using Changes = std::vector<std::uint32_t>;
 
 [[nodiscard]] Changes changes_of(const std::vector<bool>& set);

@@ -15,10 +15,10 @@
 #include <random>
 #include <vector>
 
+#include "../../culler/example/visible_sets.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/oracle/ray.h"
 #include "occlude/render/model_io.h"
-#include "../../culler/example/visible_sets.h"
 
 namespace {
 
@@ -193,9 +193,12 @@ int main(int argc, char** argv) try {
     }
     for (const bool is_met : met) found += is_met;
   }
-  const auto mean = [&](std::size_t sum) { return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(asked, 1)); };
-  std::cout << "seed " << seed << ": " << asked << " cells, " << asked * rays << " rays, " << aimed << " of them aimed; " << wrong
-            << " reach what is in no set; of " << mean(in_sets) << " in a set random rays find " << mean(found) << '\n';
+  const auto mean = [&](std::size_t sum) {
+    return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(asked, 1));
+  };
+  std::cout << "seed " << seed << ": " << asked << " cells, " << asked * rays << " rays, " << aimed << " of them aimed; "
+            << wrong << " reach what is in no set; of " << mean(in_sets) << " in a set random rays find " << mean(found)
+            << '\n';
   return wrong == 0 ? 0 : 1;
 } catch (const std::exception& error) {
   return std::cerr << error.what() << '\n', 2;
