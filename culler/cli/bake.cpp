@@ -42,7 +42,7 @@ constexpr const char *kGrid = "grid", *kCorridor = "corridor";
 struct BakeArguments {
   std::string model, out, cells, heights, objects;
   CellGrid grid;
-  double reach = 5;
+  double reach = 5, piece = 2;
   std::size_t cover_size = 384;
   ReadArguments read;
   PathArguments path;
@@ -84,8 +84,9 @@ Items items_of(const culler::Hierarchy& hierarchy, const std::string& objects) {
 /// Bakes one cell after another.
 class Baker {
  public:
-  Baker(const culler::Culler& culler, const Items& items, std::vector<kernel::Aabb> cells, std::size_t cover_size)
-      : culler_(culler), items_(items), cells_(std::move(cells)) {
+  Baker(const culler::Culler& culler, const Items& items, std::vector<kernel::Aabb> cells, double piece,
+        std::size_t cover_size)
+      : culler_(culler), items_(items), cells_(std::move(cells)), piece_(piece) {
     options_.method = culler::Method::cover;
     options_.cover.width = options_.cover.height = static_cast<int>(cover_size);
   }
@@ -96,14 +97,17 @@ class Baker {
     std::vector<bool> seen(items_.count + std::size_t{1}), cells(cells_.size());
     cells[cell] = true;
     culler::View view;
-    culler::cull_around(culler_, cells_[cell], options_, view, [&] {
+    const auto take = [&] {
       for (const auto& [first, count] : view.result().drawn) {
         for (std::uint32_t p = first; p < first + count; ++p) seen[items_.of_polygon[p]] = true;
       }
       for (std::size_t other = 0; other < cells_.size(); ++other) {
         if (!cells[other]) cells[other] = view.visibility(cells_[other]) == culler::Visibility::visible;
       }
-    });
+    };
+    for (const kernel::Aabb& piece : pieces_of(cells_[cell], piece_)) {
+      culler::cull_around(culler_, piece, options_, view, take);
+    }
     seen.pop_back();  // what is in no object
     return {cells_[cell], changes_of(seen), changes_of(cells)};
   }
@@ -112,6 +116,7 @@ class Baker {
   const culler::Culler& culler_;
   const Items& items_;
   std::vector<kernel::Aabb> cells_;
+  double piece_;
   culler::CullOptions options_;
 };
 
@@ -160,24 +165,28 @@ std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint3
 
 std::vector<kernel::Aabb> cells_of(BakeArguments& arguments, const render::ModelFile& model,
                                    const culler::Hierarchy& hierarchy) {
-  if (arguments.cells != kGrid && arguments.cells != kCorridor) return read_cells(arguments.cells);
   if (!arguments.heights.empty()) arguments.grid.layer = layer_of(arguments.heights, up_of(model.notes));
+  std::vector<kernel::Aabb> cells;
   try {
-    if (arguments.cells == kGrid) return arguments.grid.cells_of(hierarchy.nodes()[0].box);
-    return arguments.grid.cells_along(arguments.path.through(model), arguments.reach);
+    cells = arguments.cells == kGrid       ? arguments.grid.cells_of(hierarchy.nodes()[0].box)
+            : arguments.cells == kCorridor ? arguments.grid.cells_along(arguments.path.through(model), arguments.reach)
+                                           : read_cells(arguments.cells);
+    for (const kernel::Aabb& cell : cells) static_cast<void>(pieces_of(cell, arguments.piece));
   } catch (const std::length_error& error) {
     refuse("--cells", error.what());
   }
+  std::ranges::sort(cells, is_before);
+  return cells;
 }
 
 std::uint64_t hash_of_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
-  render::Digest digest;
   std::string bytes(std::size_t{1} << 20U, '\0');
+  std::uint64_t hash = kHashOfNothing;
   while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || in.gcount() > 0) {
-    digest.add(std::string_view(bytes).substr(0, static_cast<std::size_t>(in.gcount())));
+    hash = hash_of(std::string_view(bytes).substr(0, static_cast<std::size_t>(in.gcount())), hash);
   }
-  return digest.value();
+  return hash;
 }
 
 std::string to_json(const VisibleSets& sets, std::size_t seen, std::size_t bytes, double seconds) {
@@ -205,7 +214,6 @@ void bake(BakeArguments& arguments) {
   const culler::Culler culler = render::make_culler(model, walk);
   const Items items = items_of(culler.hierarchy(), arguments.objects);
   std::vector<kernel::Aabb> cells = cells_of(arguments, model, culler.hierarchy());
-  std::ranges::sort(cells, is_before);
   const std::uint64_t hash = hash_of_file(arguments.model);
   render::Job job(arguments.parts.keeping(), [&] {
     const std::span<const kernel::Aabb> boxes = cells;
@@ -214,8 +222,9 @@ void bake(BakeArguments& arguments) {
   });
   const render::Stopwatch stopwatch;
   culler.prepare(culler::Method::cover, render::check_interrupt);
-  VisibleSets sets{hash, items.count,
-                   bake_all(job, Baker(culler, items, std::move(cells), arguments.cover_size), items.count)};
+  VisibleSets sets{
+      hash, items.count,
+      bake_all(job, Baker(culler, items, std::move(cells), arguments.piece, arguments.cover_size), items.count)};
   if (!is_first) return;
   make_mutual(sets.cells);
   write_visible_sets(*file, sets);
@@ -261,6 +270,9 @@ void add_bake(Command app, int&) {
             "JSON file of objects, of which the sets are then: for each a list of polygons and ranges [first, count]");
   a->read.add_to(command);
   command.under(kTuning, [&] {
+    command.add("--piece", a->piece, "side of the pieces in which cells are culled at most: smaller ones hide more")
+        .show_default()
+        .in_range(1e-6, 1e9);
     command.add("--cover-size", a->cover_size, "side of the coarse pictures in pixels: larger ones hide more")
         .show_default()
         .in_range(std::size_t{culler::kLeastCoverSide}, std::size_t{culler::kMostCoverSide});

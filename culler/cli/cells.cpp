@@ -145,4 +145,27 @@ std::vector<kernel::Aabb> read_cells(const std::string& file) {
   return cells;
 }
 
+std::vector<kernel::Aabb> pieces_of(const kernel::Aabb& cell, double side) {
+  std::vector<kernel::Aabb> pieces{cell};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = cell.min[axis], high = cell.max[axis], count = std::max(1.0, std::ceil((high - low) / side));
+    if (!(count * static_cast<double>(pieces.size()) <= static_cast<double>(kMostCells))) {
+      throw std::length_error(fmt::format("a cell would have more than {} pieces", kMostCells));
+    }
+    const auto border = [&](double i) {
+      return i == count ? high : kernel::flushed(std::min(low + i / count * (high - low), high));
+    };
+    std::vector<kernel::Aabb> divided;
+    for (const kernel::Aabb& piece : pieces) {
+      for (double i = 0; i < count; ++i) {
+        divided.push_back(piece);
+        divided.back().min[axis] = border(i);
+        divided.back().max[axis] = border(i + 1);
+      }
+    }
+    pieces = std::move(divided);
+  }
+  return pieces;
+}
+
 }  // namespace occlude::cli

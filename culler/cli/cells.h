@@ -38,4 +38,8 @@ struct CellGrid {
 /// Reads a list: {"cells":[{"min":[x,y,z],"max":[x,y,z]}, …]}. Throws InputError, naming the file and the cell.
 [[nodiscard]] std::vector<kernel::Aabb> read_cells(const std::string& file);
 
+/// The cell in equal pieces, no longer than `side` along any axis, that share their faces. Throws std::length_error for more
+/// than kMostCells.
+[[nodiscard]] std::vector<kernel::Aabb> pieces_of(const kernel::Aabb& cell, double side);
+
 }  // namespace occlude::cli

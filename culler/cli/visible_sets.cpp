@@ -76,14 +76,12 @@ class SetPacker {
 
 constexpr std::size_t kHeaderBytes = 64;
 
-/// FNV-1a of 64 bits.
-constexpr std::uint64_t kHashOfNothing = 0xcbf29ce484222325U;
-std::uint64_t hash_of(std::uint64_t hash, std::string_view bytes) {
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  return hash;
-}
-
 }  // namespace
+
+std::uint64_t hash_of(std::string_view bytes, std::uint64_t before) {
+  for (const char byte : bytes) before = (before ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  return before;
+}
 
 Changes changes_of(const std::vector<bool>& set) {
   Changes changes;
@@ -143,7 +141,7 @@ void write_visible_sets(render::OutputFile& file, const VisibleSets& sets) {
   put(header, static_cast<std::uint32_t>(cells.size()));
   put(header, sets.items);
   put(header, std::nextafter(widest, std::numeric_limits<double>::infinity()));
-  put(header, hash_of(hash_of(kHashOfNothing, body), packed_sets));
+  put(header, hash_of(packed_sets, hash_of(body)));
   header.resize(kHeaderBytes);
   for (const std::string& bytes : {header, body, packed_sets}) file.write(bytes);
 }

@@ -8,14 +8,15 @@ example=$(realpath "$2") rays=$(realpath "$3") python_example=$(realpath "$4")
 
 # A closed room of 8 by 6 by 3: floor 0, ceiling 1, walls 2 to 5. In its middle, at x = 4, a wall with a door from y = 2 to 3,
 # 2 high: 6, 7 and 8 above the door. A thing beside the door, 9, and one behind it, 10, both far from it; one on this side
-# beside it, 11; and one outside, 12.
+# beside it, 11; and one outside, 12, behind a wall of its own corners, 5.
 room='0 0 0\n8 0 0\n8 6 0\n0 6 0\n0 0 3\n8 0 3\n8 6 3\n0 6 3\n'
 wall='4 0 0\n4 2 0\n4 2 3\n4 0 3\n4 3 0\n4 6 0\n4 6 3\n4 3 3\n4 2 2\n4 3 2\n'
 thing() { printf '%s' "$1 $2 1\n$1 $3 1\n$1 $3 1.3\n$1 $2 1.3\n"; } # thing X Y0 Y1
+end='8 -1 -1\n8 7 -1\n8 7 4\n8 -1 4\n'
 things="$(thing 7.5 .1 .3)$(thing 7.5 2 3)$(thing .2 .1 .3)$(thing 20 2 3)"
-faces='4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 3 2 6 7\n4 0 3 7 4\n4 1 2 6 5\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 15 10\n'
+faces='4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 3 2 6 7\n4 0 3 7 4\n4 34 35 36 37\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 15 10\n'
 faces+='4 18 19 20 21\n4 22 23 24 25\n4 26 27 28 29\n4 30 31 32 33\n'
-ply door.ply 34 13 "$room$wall$things$faces"
+ply door.ply 38 13 "$room$wall$things$end$faces"
 
 # One cell on this side before the door, and two on the other: beside the door and before it. They are not in the order of the
 # file.
@@ -39,7 +40,7 @@ sees door.pvs '7 3 2' 'cell 2;items 0 1 2 3 4 5 6 7 8 9 10 11;cells 0 1 2;'
 for eye in '4 2.5 1.5' '6.5 1 1.5' '.7 2.5 2.1' '-1 0 0' '9 0 0'; do sees door.pvs "$eye" 'in no cell;'; done
 
 # With a wall before all of that wall each side sees itself alone, and both, which are in one plane.
-ply closed.ply 34 13 "$room$wall$things${faces/4 8 9 10 11/4 8 13 14 11}"
+ply closed.ply 42 13 "$room$wall$things$end${end//8 /4 }${faces/4 8 9 10 11/4 38 39 40 41}"
 "$occlude" bake closed.ply --cells cells.json --out closed.pvs >/dev/null || fail "closed"
 sees closed.pvs '.7 2.5 1.5' 'cell 0;items 0 1 2 3 4 6 7 8 11;cells 0;'
 sees closed.pvs '6.5 .5 1.5' 'cell 1;items 0 1 2 3 5 6 7 8 9 10;cells 1 2;'
@@ -65,8 +66,8 @@ clear door.ply door.pvs 20000 9
 clear closed.ply closed.pvs 20000 9
 clear door.ply flat.pvs 20000 9
 "$occlude" bake door.ply --cells grid --cell-size 2 --out grid.pvs --json >told || fail "grid"
-grep -q '"cells": 88,' told || fail "cells of a grid: $(cat told)" # the thing outside is at x = 20; those at faces count on both sides
-clear door.ply grid.pvs 2000 99
+grep -q '"cells": 220,' told || fail "cells of a grid: $(cat told)" # 11 by 5 by 4
+clear door.ply grid.pvs 500 220
 echo '{"frames":4,"keyframes":[{"eye":[1,2.5,1.5],"target":[2,2.5,1.5]},{"eye":[6,2.5,1.5],"target":[7,2.5,1.5]}]}' >path.json
 "$occlude" bake door.ply --cells corridor --path path.json --cell-size 1 --heights 1:2 --reach 0 --out way.pvs --json >told || fail "corridor"
 grep -q '"cells": 6,' told || fail "cells of a corridor: $(cat told)"
@@ -129,6 +130,7 @@ expect_error 'missing.ply' "$occlude" bake missing.ply --cells cells.json --out 
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 3:1 --out bad.pvs
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 3 --out bad.pvs
 expect_error '--cells' "$occlude" bake door.ply --cells grid --cell-size 0.01 --out bad.pvs
+expect_error '--cells' "$occlude" bake door.ply --cells cells.json --piece 0.001 --out bad.pvs
 expect_error '--cell-size' "$occlude" bake door.ply --cells grid --cell-size 0 --out bad.pvs
 expect_error 'cells.json' "$occlude" bake door.ply --cells cells.json --out cells.json
 
