@@ -51,15 +51,11 @@ class WorthOfHiding {
   /// Learns how many polygons, or objects, the frame has hidden and drawn, with how much work.
   void learn(std::size_t hidden, std::size_t drawn, const CoverWork& work) {
     if (frame_ == Frame::rests) return;
-    if (frame_ <= Frame::looks) is_cheap_ = work.drawing + work.asking < cheap;
-    const Sums now{static_cast<double>(hidden), static_cast<double>(hidden + drawn),
-                   static_cast<double>(work.drawing + work.asking)};
-    if (is_first_) {
-      sums_ = now.of_frames(kFramesOfFirst);
-      sums_.hidden = kHoped * sums_.all;
-    } else if (!pays()) {
-      sums_ = now.of_frames(kFramesOfFirst);
-    }
+    const std::size_t total = work.drawing + work.asking;
+    if (frame_ <= Frame::looks) is_cheap_ = total < cheap;
+    const Sums now{static_cast<double>(hidden), static_cast<double>(hidden + drawn), static_cast<double>(total)};
+    if (is_first_ || !pays()) sums_ = now.of_frames(kFramesOfFirst);
+    if (is_first_) sums_.hidden = kHoped * sums_.all;
     is_first_ = false;
     sums_.add(now);
     if (frame_ == Frame::looks) interval_ = pays() ? kInterval : std::min(2 * interval_, kMostInterval);

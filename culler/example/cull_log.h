@@ -13,7 +13,7 @@ namespace cull_log {
 
 using Number = std::uint32_t;
 struct Range {
-  Number first, count;  ///< polygons of the model file, from 0
+  Number first, count;  ///< polygons of the model file, from 0; one or more
 };
 struct Frame {
   Number number, width, height;  ///< each number once; the size of the picture in pixels

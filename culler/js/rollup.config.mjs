@@ -4,12 +4,12 @@ import {dts} from "rollup-plugin-dts";
 
 const made = "../../build/js";
 // These are there once, and beside the others.
-const parts = /^(node:|\.\/(occlude|worker-thread)\.mjs$)/;
-const paths = id => `./${id.split("/").at(-1)}`;
+const parts = /^(node:|three$|\.\/(occlude|worker-thread)\.mjs$)/;
+const paths = id => (id.endsWith(".mjs") ? `./${id.split("/").at(-1)}` : id);
 
 const moduleOf = name => {
   const external = id => parts.test(id) && id !== `./${name}.mjs`;
-  const output = {format: "es", paths: id => (id.startsWith("node:") ? id : paths(id))};
+  const output = {format: "es", paths};
   return [
     {input: `${made}/${name}.mjs`, output: {...output, file: `dist/${name}.mjs`}, external},
     {
@@ -21,4 +21,4 @@ const moduleOf = name => {
   ];
 };
 
-export default ["occlude", "worker", "worker-thread", "worker-main"].flatMap(moduleOf);
+export default ["occlude", "worker", "worker-thread", "worker-main", "three"].flatMap(moduleOf);

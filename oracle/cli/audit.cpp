@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "audit_report.h"
 #include "command_arguments.h"
@@ -14,7 +15,7 @@
 #include "frame_audit.h"
 #include "occlude/render/console.h"
 #include "occlude/render/progress.h"
-#include "occlude/render/store.h"
+#include "occlude/render/walk.h"
 
 namespace occlude::cli {
 namespace {
@@ -22,21 +23,24 @@ namespace {
 struct AuditArguments {
   std::string model, log, out, cover_size = "1152x720";
   ReadArguments read;
+  std::vector<Option> reading;  ///< its options
   AuditOptions options;
   bool json = false;
 };
 
+/// It culls polygon by polygon. The tree of a store may have larger leaves.
+culler::Culler culler_of(culler::PolygonSoup model) {
+  render::WalkOptions walk;
+  walk.build.hierarchy.leaf_size = 1;
+  return render::make_culler(std::move(model), walk);
+}
+
 void audit(AuditArguments& arguments, int& exit_code) {
-  const PictureSize cover =
-      parse_size("--cover-size", arguments.cover_size, culler::kLeastCoverSide, culler::kMostCoverSide);
-  arguments.options.cover.width = cover.width;
-  arguments.options.cover.height = cover.height;
+  set_cover_size(arguments.options.cover, arguments.cover_size);
   std::optional<AuditFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
-  render::WalkOptions walk;
-  walk.read = arguments.read.options();
-  walk.build.hierarchy.leaf_size = 1;  // polygon by polygon
-  const culler::Culler culler = render::make_culler(open_model(arguments.model, walk), walk);
+  require_settled(arguments.reading, arguments.model);
+  const culler::Culler culler = culler_of(read_model(arguments.model, arguments.read.options()).soup);
   CullLog log(arguments.log, culler.hierarchy().face_count());
   Auditor auditor(culler, arguments.options);
   AuditSums sums;
@@ -64,7 +68,7 @@ void add_audit(Command app, int& exit_code) {
   command.footer(
       "A log says for each frame its camera and the polygons or objects that were culled, or drawn: docs/audit.md. It may "
       "be\n"
-      "compressed by gzip. Each false cull is borne out by an exact ray; so is none that is not one.\n"
+      "compressed by gzip. Each false cull that is told is borne out by an exact ray.\n"
       "Exit code 0; 1 when something visible was culled (the first is printed); 2 for bad input.\n" +
       limits_help() +
       "\n"
@@ -75,7 +79,7 @@ void add_audit(Command app, int& exit_code) {
   add_output(
       command, "--out", a->out,
       "folder for false_culls.jsonl (frame, polygon, ray and pixel), pictures of them, frames.jsonl and summary.json");
-  a->read.add_to(command);
+  a->reading = a->read.add_to(command);
   command.under(kTuning, [&] {
     command
         .add("--item-buffers", a->options.item_buffers,

@@ -44,10 +44,11 @@ void AuditSums::add(const FrameAudit& frame) {
 std::string to_text(const AuditSums& sums) {
   const auto line = [](std::size_t count, const std::string& text) { return fmt::format("{:>14}  {}\n", count, text); };
   return line(sums.frames, "frames") + line(sums.wrong_frames, "frames with a false cull") +
-         line(sums.culled, "polygons culled in view, over all frames; of them") +
+         line(sums.culled, "polygons culled in view or near it, over all frames; of them") +
          line(sums.visible, "visible: false culls, each with an exact ray") + line(sums.hidden, "proved hidden") +
          line(sums.unsettled, "neither proved hidden nor found visible") +
-         line(sums.drawn, "polygons drawn in view; of them") + line(sums.needless, "or more are hidden, and drawn in vain");
+         line(sums.drawn, "polygons drawn in view or near it; of them") +
+         line(sums.needless, "proved hidden: at least these were drawn in vain");
 }
 
 std::string to_json(const AuditSums& sums) {

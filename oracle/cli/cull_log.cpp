@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -28,6 +30,27 @@ void require_sound(const AnyCamera& camera) {
   if (const std::string reason = culler::fault(camera); !reason.empty()) throw LineError("the camera: " + reason);
 }
 
+/// The least depth, as the camera sees it, of the matrix's near plane within the matrix's picture; infinite if it is nowhere
+/// there. A plane n . p + d = 0 is met on the line from the eye through c at t = -(n . eye + d) / (n . c), which is least at
+/// a corner.
+double least_near(const culler::MatrixCamera& matrix, const culler::Camera& camera) {
+  const oracle::Picture picture = proof::picture_of(matrix, 0);
+  const auto normal = [](const oracle::HalfSpaceCoefficients& h) { return glm::dvec3(h[0], h[1], h[2]); };
+  const oracle::HalfSpaceCoefficients& near = picture.depth.front();
+  const glm::dvec3 forward = camera.axes().forward;
+  const double before = -(glm::dot(normal(near), camera.eye) + near[3]);
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t x : {0U, 1U}) {
+    for (const std::size_t y : {2U, 3U}) {
+      const glm::dvec3 along = glm::cross(normal(picture.sides[x]), normal(picture.sides[y]));
+      const glm::dvec3 corner = along / glm::dot(forward, along);
+      const double slope = glm::dot(normal(near), corner);
+      if (slope > 0) least = std::min(least, before / slope);
+    }
+  }
+  return least;
+}
+
 /// A camera whose picture has all that the matrix shows.
 culler::Camera around(const culler::MatrixCamera& camera) {
   const glm::dmat4& m = camera.matrix;
@@ -36,11 +59,13 @@ culler::Camera around(const culler::MatrixCamera& camera) {
   }
   require_sound(camera);
   try {
+    constexpr double kNearer = 1 - 0x1p-20;  // more than rounds
     culler::Camera shown = culler::ahead(camera, {}, 0, {.aside = 0, .up = 0});
     shown.eyes = {};
+    shown.near_plane = std::min(shown.near_plane, kNearer * least_near(camera, shown));
     return shown;
-  } catch (const std::invalid_argument& error) {
-    throw LineError("the camera: " + std::string(error.what()));
+  } catch (const std::invalid_argument&) {
+    throw LineError("the matrix: its eye is too far away, or its picture too large, for doubles");
   }
 }
 
@@ -53,12 +78,12 @@ void mark(std::vector<bool>& marks, const std::vector<culler::PolygonRange>& ran
 }  // namespace
 
 CullLog::CullLog(const std::string& file, std::size_t polygons) : lines_(file), polygons_(polygons) {
-  if (lines_.blocks().ahead().starts_with(kBinaryBegin)) binary_.emplace(lines_.blocks());
+  if (lines_.blocks().ahead().starts_with(kBinaryBegin)) binary_.emplace(lines_.blocks(), polygons_);
 }
 
 std::optional<LogRecord> CullLog::next_record() {
   ++records_;
-  if (binary_) return binary_->next();
+  if (binary_) return binary_->next(objects_.size());
   for (std::string line; lines_.next(line);) {
     if (line.find_first_not_of(" \t\r") != std::string::npos) return json_record(line);
   }
@@ -82,9 +107,10 @@ std::optional<LoggedFrame> CullLog::next() {
 void CullLog::require(const std::vector<culler::PolygonRange>& ranges) const {
   std::uint64_t listed = 0;
   for (const auto& [first, count] : ranges) {
+    if (count == 0) throw LineError(fmt::format("the range [{}, 0] is empty", first));
     const std::uint64_t end = std::uint64_t{first} + count;
     if (end > polygons_) {
-      throw LineError(fmt::format("polygons {} to {}: the model has {}", first, count == 0 ? first : end - 1, polygons_));
+      throw LineError(fmt::format("polygons {} to {}: the model has {}", first, end - 1, polygons_));
     }
     listed += count;
   }

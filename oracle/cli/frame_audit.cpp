@@ -2,6 +2,7 @@
 #include "frame_audit.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -42,10 +43,6 @@ std::vector<bool> in_tree(const culler::Hierarchy& hierarchy, const std::vector<
 }
 
 glm::dvec2 pixel_of(const LoggedFrame& frame, const dvec3& point) {
-  if (const auto* matrix = std::get_if<culler::MatrixCamera>(&frame.camera)) {
-    const glm::dvec4 clip = matrix->matrix * glm::dvec4(point, 1);
-    return {(1 + clip.x / clip.w) / 2 * frame.width, (1 - clip.y / clip.w) / 2 * frame.height};
-  }
   const render::PixelRays rays(frame.shown, frame.width, frame.height);
   return rays.project(point, rays.depth(point));
 }
@@ -96,22 +93,23 @@ class Suspects {
   /// Whether none is left.
   [[nodiscard]] bool are_settled() const { return open_.empty(); }
 
-  /// Looks for them in a picture: casts a ray through pixels that show one.
+  /// Looks for them in a picture: of the pixels that show one, in scan order, casts a ray through the 1st, 2nd, 4th, 8th and
+  /// so on. So rays are spread over it, and few where none of them bears it out.
   void look_at(const render::ItemBuffer& items, const glm::dvec2& offset) {
     const render::PixelRays pixels(frame_.shown, items.width, items.height);
-    std::vector<std::uint8_t> tries(hierarchy_.soup().size());  // that are left for each
-    for (const std::uint32_t p : open_) tries[p] = kTries;
+    std::vector<bool> is_sought(hierarchy_.soup().size());
+    for (const std::uint32_t p : open_) is_sought[p] = true;
+    std::vector<std::uint32_t> pixels_of(is_sought.size());
     for (const render::Items* layer : {static_cast<const render::Items*>(&items), &items.before}) {
       for (int y = 0; y < layer->height; ++y) {
         for (int x = 0; x < layer->width; ++x) {
           const std::uint32_t p = layer->at(x, y);
-          if (p == render::kNothing || tries[p] == 0) continue;
-          --tries[p];
+          if (p == render::kNothing || !is_sought[p] || !std::has_single_bit(++pixels_of[p])) continue;
           const auto [origin, direction] = pixels.ray(x + 0.5 - offset.x, y + 0.5 + offset.y);
           const std::optional<dvec3> point = rays_.where(origin, direction, p);
           if (!point || !rays_.shows(*point, p)) continue;
           add(p, *point);
-          tries[p] = 0;
+          is_sought[p] = false;
         }
       }
     }
@@ -131,9 +129,6 @@ class Suspects {
   }
 
  private:
-  /// Pixels of a picture in which a ray is tried for one polygon. Where one fails, at a border, the next hardly does.
-  static constexpr std::uint8_t kTries = 4;
-
   /// Calls f(point) for points of a convex polygon: near its corners and sides, where most of what is hidden shows, and
   /// evenly all over it, by a sequence of low discrepancy (Roberts 2018).
   template <class F>
@@ -205,6 +200,7 @@ FrameAudit Auditor::judge(const LoggedFrame& frame) {
   Suspects suspects(hierarchy, frame, culled, states);
   suspects.cast(options_.rays);
   for (std::size_t turn = 0; !suspects.are_settled() && turn < options_.item_buffers; ++turn) {
+    render::check_interrupt();
     const glm::dvec2 offset = ItemBuffers::offset_of(turn);
     suspects.look_at(renderer(frame).item_buffer(frame.shown, result.drawn, offset), offset);
   }

@@ -25,7 +25,7 @@ struct SeenPolygon {
   glm::dvec2 pixel{};  ///< where that is in the picture, from its upper left corner
 };
 
-/// Counts are of polygons of the model file in view.
+/// Counts are of polygons of the model file in view, or so near it that our own cull does not tell.
 struct FrameAudit {
   std::uint32_t frame = 0;
   std::size_t culled = 0;               ///< all that follow together

@@ -9,13 +9,14 @@
 #include <numeric>
 #include <span>
 
+#include "command_arguments.h"
 #include "marked_picture.h"
 #include "model/append_range.h"
 
 namespace occlude::cli {
 namespace {
 
-constexpr int kLargest = 8192;  // longest side of a picture, as in all commands
+constexpr int kLargest = kLargestSide;
 
 /// Compares polygons corner by corner.
 bool is_less(culler::SoupView soup, std::uint32_t a, std::uint32_t b) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <bit>
 #include <string>
 
@@ -40,9 +42,15 @@ void BinaryRecords::read_head() {
   has_head_ = true;
 }
 
-std::vector<culler::PolygonRange> BinaryRecords::ranges(std::uint32_t count) {
+std::uint32_t BinaryRecords::length(std::size_t most, const char* of) {
+  const auto count = number<std::uint32_t>();
+  if (count > most) throw LineError(fmt::format("it lists {} {}: there are {}", count, of, most));
+  return count;
+}
+
+std::vector<culler::PolygonRange> BinaryRecords::ranges() {
   std::vector<culler::PolygonRange> result;
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::uint32_t i = 0, count = length(polygons_, "ranges of polygons"); i < count; ++i) {
     const auto first = number<std::uint32_t>();
     result.push_back({first, number<std::uint32_t>()});
   }
@@ -51,10 +59,10 @@ std::vector<culler::PolygonRange> BinaryRecords::ranges(std::uint32_t count) {
 
 ObjectRecord BinaryRecords::object() {
   const auto object = number<std::uint32_t>();
-  return {object, ranges(number<std::uint32_t>())};
+  return {object, ranges()};
 }
 
-FrameRecord BinaryRecords::frame(bool by_matrix) {
+FrameRecord BinaryRecords::frame(bool by_matrix, std::size_t objects) {
   FrameRecord frame;
   std::uint32_t what = 0;
   for (std::uint32_t* field : {&frame.frame, &frame.width, &frame.height, &what}) *field = number<std::uint32_t>();
@@ -76,20 +84,23 @@ FrameRecord BinaryRecords::frame(bool by_matrix) {
     for (double* value : {&camera.fov_y_deg, &camera.near_plane, &camera.far_plane}) *value = number<double>();
     frame.camera = camera;
   }
-  const auto count = number<std::uint32_t>();
-  if (!frame.is_of_objects) frame.polygons = ranges(count);
-  for (std::uint32_t i = 0; frame.is_of_objects && i < count; ++i) frame.objects.push_back(number<std::uint32_t>());
+  if (frame.is_of_objects) {
+    frame.objects.resize(length(objects, "objects"));
+    for (std::uint32_t& id : frame.objects) id = number<std::uint32_t>();
+  } else {
+    frame.polygons = ranges();
+  }
   return frame;
 }
 
-std::optional<LogRecord> BinaryRecords::next() {
+std::optional<LogRecord> BinaryRecords::next(std::size_t objects) {
   if (!has_head_) read_head();
   if (blocks_.ahead().empty()) return std::nullopt;
   const auto kind = number<std::uint32_t>();
   switch (kind) {
     case kMatrixFrame:
     case kEyeFrame:
-      return frame(kind == kMatrixFrame);
+      return frame(kind == kMatrixFrame, objects);
     case kObject:
       return object();
     default:

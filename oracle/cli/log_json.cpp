@@ -76,6 +76,9 @@ culler::Camera eye_camera(const json& object) {
   if (is_second(object, "projection", "perspective", "orthographic")) {
     camera.projection = culler::Projection::orthographic;
     camera.height = cases::number(cases::member(object, "view_height"), "view_height");
+    if (object.contains("fov_y_deg")) throw wrong("fov_y_deg", "an orthographic projection has none");
+  } else if (object.contains("view_height")) {
+    throw wrong("view_height", "expected \"projection\":\"orthographic\" with it");
   }
   take("fov_y_deg", camera.fov_y_deg);
   take("near", camera.near_plane);

@@ -2,6 +2,7 @@
 // A record of a log of culls (docs/audit.md): a frame, or what an object consists of.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -44,21 +45,25 @@ inline constexpr char kBinaryBegin = 'O';
 /// A binary log, record by record.
 class BinaryRecords {
  public:
-  /// REQUIRES: `blocks` outlives this object.
-  explicit BinaryRecords(render::BlockReader& blocks) : blocks_(blocks) {}
+  /// Of a model with so many polygons. REQUIRES: `blocks` outlives this object.
+  BinaryRecords(render::BlockReader& blocks, std::size_t polygons) : blocks_(blocks), polygons_(polygons) {}
 
-  /// The next record, none at the end. Throws LineError, also for a log that is cut off, and as BlockReader.
-  [[nodiscard]] std::optional<LogRecord> next();
+  /// The next record, none at the end, of a log with so many objects before it. Throws LineError, also for a log that is cut
+  /// off and for a list that is longer than there are polygons or objects, and as BlockReader.
+  [[nodiscard]] std::optional<LogRecord> next(std::size_t objects);
 
  private:
   template <class Number>
   [[nodiscard]] Number number();
-  [[nodiscard]] std::vector<culler::PolygonRange> ranges(std::uint32_t count);
+  /// The number of entries of a list.
+  [[nodiscard]] std::uint32_t length(std::size_t most, const char* of);
+  [[nodiscard]] std::vector<culler::PolygonRange> ranges();
   [[nodiscard]] ObjectRecord object();
-  [[nodiscard]] FrameRecord frame(bool by_matrix);
+  [[nodiscard]] FrameRecord frame(bool by_matrix, std::size_t objects);
   void read_head();
 
   render::BlockReader& blocks_;
+  std::size_t polygons_;
   bool has_head_ = false;
 };
 

@@ -70,6 +70,12 @@ PictureSize parse_size(const std::string& option, const std::string& text, std::
   return {static_cast<int>(values[0]), static_cast<int>(values[1])};
 }
 
+void set_cover_size(culler::CoverOptions& options, const std::string& text) {
+  const PictureSize size = parse_size("--cover-size", text, culler::kLeastCoverSide, culler::kMostCoverSide);
+  options.width = size.width;
+  options.height = size.height;
+}
+
 void WalkArguments::add_size_to(Command command) {
   command.add("--size", size_, "WxH, size of the pictures in pixels").show_default();
 }
@@ -256,9 +262,11 @@ Option WalkArguments::add_model_to(Command command) {
   return added.front();
 }
 
-void WalkArguments::require_settled(const std::string& model) const {
-  const auto given = std::ranges::find_if(build_options_, &Option::is_given);
-  if (given == build_options_.end() || !render::is_store(model)) return;
+void WalkArguments::require_settled(const std::string& model) const { cli::require_settled(build_options_, model); }
+
+void require_settled(std::span<const Option> options, const std::string& model) {
+  const auto given = std::ranges::find_if(options, &Option::is_given);
+  if (given == options.end() || !render::is_store(model)) return;
   refuse(given->name(), model + " is a store, in which this is settled: give it to `occlude preprocess`");
 }
 
@@ -271,9 +279,7 @@ render::WalkOptions WalkArguments::options() const {
   options.cull = cull_;
   options.hold = hold_;
   options.cull.method = method();
-  const PictureSize cover = parse_size("--cover-size", cover_size_, culler::kLeastCoverSide, culler::kMostCoverSide);
-  options.cull.cover.width = cover.width;
-  options.cull.cover.height = cover.height;
+  set_cover_size(options.cull.cover, cover_size_);
   options.cull.margin = culler::margin_for(options.height, pixel_margin_);
   options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
   options.preprocess = preprocess_;

@@ -2,6 +2,7 @@
 // Options that several subcommands share.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,7 +68,7 @@ class WalkArguments {
 
   /// Notes that by the other methods the option does nothing: without --method it asks for frusta. Returns the option.
   Option of_frusta(Option option);
-  /// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
+  /// require_settled() of the options by which the model is read and prepared.
   void require_settled(const std::string& model) const;
   /// Whether --method is given.
   [[nodiscard]] bool has_method() const { return !method_.empty(); }
@@ -110,9 +111,15 @@ struct PictureSize {
   int width, height;
 };
 
+/// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
+void require_settled(std::span<const Option> options, const std::string& model);
+
 /// Parses "WxH", each from `least` to `most` pixels; calls refuse() for anything else.
 [[nodiscard]] PictureSize parse_size(const std::string& option, const std::string& text, std::size_t least,
                                      std::size_t most);
+
+/// Sets the size of the coarse picture from the text of --cover-size; calls refuse() for what is no size.
+void set_cover_size(culler::CoverOptions& options, const std::string& text);
 
 /// The largest side of a picture that is drawn; llvmpipe allows 16384, memory less.
 inline constexpr std::size_t kLargestSide = 8192;

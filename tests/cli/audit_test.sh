@@ -67,6 +67,8 @@ done
 judge good.ply <(cat wall.jsonl) 1
 gzip -k wall.jsonl
 judge good.ply wall.jsonl.gz 1
+# From a pipe whose first bytes come one by one, and padded as on a tape.
+judge good.ply <(head -c 1 wall.jsonl.gz; sleep 0.3; tail -c +2 wall.jsonl.gz; head -c 512 /dev/zero) 1
 "$occlude" audit good.ply --log - <wall.jsonl >stdout 2>stderr
 [ $? -eq 1 ] || fail "standard input: $(cat stderr)"
 
@@ -113,6 +115,27 @@ judged unsettled 1
 sed 's/^4 2 0$/4 2.001 0/' touching.ply >larger.ply
 judge larger.ply larger.jsonl 1 --item-buffers 0
 
+# What shows through a small window, of a picture that covers it but for that. Rays into all of it miss the window; item buffers
+# show it.
+window='2.005 -.9 -.9\n2.005 .9 -.9\n2.005 .9 .9\n2.005 -.9 .9\n'
+rectangle() { printf '2 %s %s\\n2 %s %s\\n2 %s %s\\n2 %s %s\\n' "$1" "$3" "$2" "$3" "$2" "$4" "$1" "$4"; } # from, to: y, z
+window+="$(rectangle -1 1 -.66 1)$(rectangle -1 1 -1 -.73)$(rectangle -1 .13 -.73 -.66)$(rectangle .19 1 -.73 -.66)"
+ply window.ply 20 5 "$window"'4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n'
+for camera in "$eye" "$matrix" "$column"; do
+  echo "{\"frame\":0,$camera,\"culled\":[0]}" >window.jsonl
+  judge window.ply window.jsonl 0 --item-buffers 0
+  judged unsettled 1
+  judge window.ply window.jsonl 1
+done
+
+# A window in the lower part of a wall that lies in one plane with the thing. A picture may show the thing all over it: its first
+# pixels, which are above the window, do not tell.
+wall_with_window="$(rectangle -1 1 -1 1)$(rectangle -1 1 -.4 1)$(rectangle -1 1 -1 -.9)$(rectangle -1 -.9 -.9 -.4)$(rectangle .9 1 -.9 -.4)"
+ply plane.ply 20 5 "$wall_with_window"'4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n'
+echo '{"frame":0,"eye":[0,0,0],"target":[1,0,0],"width":284,"height":160,"culled":[0]}' >plane.jsonl
+judge plane.ply plane.jsonl 0 --rays 0 --item-buffers 0
+judge plane.ply plane.jsonl 1 --rays 0
+
 # What is before the near plane hides nothing; what is out of the picture is not seen.
 echo "{\"frame\":0,$eye,\"near\":2.5,\"culled\":[0]}" >near.jsonl
 judge good.ply near.jsonl 0
@@ -122,6 +145,13 @@ grep -q '"polygon":1,' audit/false_culls.jsonl || fail "beyond the near plane: $
 echo '{"frame":0,"eye":[0,0,0],"target":[-1,0,0],"width":320,"height":180,"culled":[[0,64]]}' >back.jsonl
 judge good.ply back.jsonl 0
 judged culled 0
+
+# A near plane just before the wall, and an oblique one that is nearer on the left: the wall is in their pictures.
+for slant_and_end in "0 -3.98" "0.3 -3.6"; do
+  near="0,0,1,1,-0.974278579257493,0,${slant_and_end% *},0,0,1.7320508075688772,0,0,0,0,${slant_and_end#* },0"
+  echo "{\"frame\":0,\"matrix\":[$near],\"width\":640,\"height\":360,\"culled\":[0]}" >near.jsonl
+  judge window.ply near.jsonl 1
+done
 
 # So it is beyond the far plane, and beside the picture where the box of a thing is not.
 echo "{\"frame\":0,$eye,\"far\":1.5,\"culled\":[0]}" >far.jsonl
@@ -164,6 +194,14 @@ for options in "--method cover" "--method frusta" "--hold 2"; do
 done
 "$occlude" preprocess city.ply --out city.pre >/dev/null || fail "preprocess"
 judge city.pre walk.jsonl 0
+# A store is judged polygon by polygon, too, though its leaves are larger. What is settled in it cannot be asked for.
+"$occlude" preprocess good.ply --leaf 64 --out good.pre >/dev/null || fail "preprocess"
+judge good.pre hidden.jsonl 0
+judged proved_hidden 63
+for option in "--up y" "--unit cm" "--opaque-all"; do
+  # shellcheck disable=SC2086
+  expect_error "${option% *}: good.pre is a store" "$occlude" audit good.pre --log hidden.jsonl $option
+done
 
 # Logs that cannot be read are named with the line, or the record.
 bad() { # bad TEXT LINE: a log of two frames, of which the second is this line
@@ -175,6 +213,7 @@ bad '' 'frame 1'
 bad '' '[1]'
 bad 'polygons 64 to 64: the model has 64' "{\"frame\":1,$eye,\"culled\":[64]}"
 bad 'polygons 60 to 64: the model has 64' "{\"frame\":1,$eye,\"culled\":[[60,5]]}"
+bad 'the range [5, 0] is empty' "{\"frame\":1,$eye,\"culled\":[[5,0]]}"
 bad '"culled": expected whole numbers' "{\"frame\":1,$eye,\"culled\":[-1]}"
 bad '"culled": expected whole numbers' "{\"frame\":1,$eye,\"culled\":[[0,4294967296]]}"
 bad '"culled": expected numbers and ranges' "{\"frame\":1,$eye,\"culled\":[[0,1,2]]}"
@@ -191,6 +230,9 @@ bad 'the camera: ' "{\"frame\":1,$eye,\"near\":0,\"culled\":[]}"
 bad 'the camera: ' "{\"frame\":1,${matrix/1.7320508075688772/0},\"culled\":[]}"
 bad '"matrix": expected 16 numbers' '{"frame":1,"matrix":[1],"width":320,"height":180,"culled":[]}'
 bad 'the matrix has parallel rays' '{"frame":1,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"width":320,"height":180,"culled":[]}'
+bad 'the matrix: its eye is too far away' "{\"frame\":1,${matrix/0,-0.2,1,0,0,0/0,-1.0000000001e20,1,0,0,-1e20},\"culled\":[]}"
+bad '"view_height": expected' "{\"frame\":1,$eye,\"view_height\":2,\"culled\":[]}"
+bad '"fov_y_deg": an orthographic' "{\"frame\":1,$parallel,\"fov_y_deg\":60,\"culled\":[]}"
 bad '"order": expected "column" or "row"' "{\"frame\":1,${matrix/\"row\"/\"rows\"},\"culled\":[]}"
 bad 'it lists polygons twice' "{\"frame\":1,$eye,\"culled\":[[0,64],0]}"
 bad 'no object 5' "{\"frame\":1,$eye,\"culled_objects\":[5]}"
@@ -224,6 +266,22 @@ expect_error "cut.log: no frames" "$occlude" audit wall.ply --log cut.log
 expect_error "kind.log: record 1: no kind of record: 9" "$occlude" audit wall.ply --log kind.log
 { head -c 24 culled.log; printf '\7'; tail -c +26 culled.log; } >what.log
 expect_error "what.log: record 1: what is listed" "$occlude" audit wall.ply --log what.log
+# Lists that are longer than the model, or than there are objects: no more of them is read. An empty range.
+u32() { printf '%b' "$(printf '\\x%02x' $(($1 & 255)) $((($1 >> 8) & 255)) $((($1 >> 16) & 255)) $(($1 >> 24)))"; }
+list_of() { # list_of WHAT NUMBER...: the first frame of the log, to its list, and these numbers
+  head -c 24 culled.log
+  u32 "$1"
+  tail -c +29 culled.log | head -c 132
+  for number in "${@:2}"; do u32 "$number"; done
+}
+list_of 0 65 >long.log
+expect_error "long.log: record 1: it lists 65 ranges of polygons: there are 64" "$occlude" audit wall.ply --log long.log
+list_of 2 1 >long.log
+expect_error "long.log: record 1: it lists 1 objects: there are 0" "$occlude" audit wall.ply --log long.log
+{ printf 'OCCLLOG1'; u32 3; u32 7; u32 65; } >long.log
+expect_error "long.log: record 1: it lists 65 ranges of polygons" "$occlude" audit wall.ply --log long.log
+list_of 0 2 1 1 5 0 >empty.log
+expect_error "empty.log: record 1: the range [5, 0] is empty" "$occlude" audit wall.ply --log empty.log
 expect_error "OCCLLOG1" "$occlude" audit wall.ply --log <(echo 'OTHER')
 
 finish

@@ -35,6 +35,8 @@ expect_error "turned.csv:1: the numbers may be rows or columns: give --matrix-or
 "$occlude" walk good.ply --path turned.csv --matrix-order row --out matrices --no-render >/dev/null || fail "walk by matrices"
 "$occlude" walk good.ply --path matrices/path.json --out kept --no-render >/dev/null && cmp -s matrices/path.json kept/path.json || fail "matrices have another path than the one kept"
 grep -q '"eye": \[0.0, 0.0, 0.0\], "target": \[1.0, 0.0, 0.0\]}' matrices/path.json || fail "matrices place: $(cat matrices/path.json)"
+gzip -k turned.csv
+"$occlude" walk good.ply --path turned.csv.gz --matrix-order row --out kept --no-render >/dev/null && cmp -s matrices/path.json kept/path.json || fail "compressed matrices have another path"
 sed 's/\[0,0,0\]/[0,1e-40,0]/' path.json >noise.json
 "$occlude" walk good.ply --path noise.json --out kept --no-render >/dev/null 2>stderr || fail "noise: $(cat stderr)"
 [ "$(cat stderr)" = "occlude: warning: noise.json: 1 numbers nearer to 0 than 2^-100 were taken as 0" ] || fail "noise: $(cat stderr)"

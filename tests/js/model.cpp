@@ -8,6 +8,7 @@
 #include <fstream>
 #include <vector>
 
+#include "hash_of_drawn.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/model_io.h"
@@ -15,18 +16,6 @@
 namespace {
 
 using namespace occlude;
-
-std::uint32_t hash_of_drawn(const culler::Hierarchy& hierarchy, const culler::CullResult& frame) {
-  std::vector<bool> is_drawn(hierarchy.soup().size());
-  for (const auto& [first, count] : frame.drawn) {
-    for (std::uint32_t p = first; p < first + count; ++p) is_drawn[hierarchy.original(p)] = true;
-  }
-  std::uint32_t hash = 0x811c9dc5;
-  for (std::uint32_t number = 0; number < is_drawn.size(); ++number) {
-    if (is_drawn[number]) hash = (hash ^ number) * 0x01000193;
-  }
-  return hash;
-}
 
 /// At multiples of eight bytes.
 template <class Number>

@@ -3,34 +3,17 @@
 // hash of those drawn. The last line, on standard error, has the mean milliseconds. Usage: live_culls MODEL PATH
 // frusta|cover FRAMES
 #include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
+#include "hash_of_drawn.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/walk.h"
 
-namespace {
-
 using namespace occlude;
-
-/// FNV-1a, 32 bits, over the numbers of the polygons that are drawn, ascending.
-std::uint32_t hash_of_drawn(const culler::Hierarchy& hierarchy, const culler::CullResult& frame) {
-  std::vector<bool> is_drawn(hierarchy.soup().size());
-  for (const auto& [first, count] : frame.drawn) {
-    for (std::uint32_t p = first; p < first + count; ++p) is_drawn[hierarchy.original(p)] = true;
-  }
-  std::uint32_t hash = 0x811c9dc5;
-  for (std::uint32_t number = 0; number < is_drawn.size(); ++number) {
-    if (is_drawn[number]) hash = (hash ^ number) * 0x01000193;
-  }
-  return hash;
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 5) return 2;

@@ -87,6 +87,7 @@ TEST_F(LineReaderTest, CompressedLines) {
   EXPECT_EQ(lines(zipped("a\n\nb")), (Lines{"a", "", "b"}));
   EXPECT_EQ(lines(zipped("a\nb") + zipped("c\nd\n")), (Lines{"a", "bc", "d"}));
   EXPECT_EQ(lines(zipped("")), Lines{});
+  EXPECT_EQ(lines(zipped("a\nb") + std::string(100000, '\0')), (Lines{"a", "b"})) << "padded";
   const std::string large(std::size_t{1} << 20U, 'x');  // several blocks of a few bytes
   EXPECT_EQ(lines(zipped(large + "\n" + large)), (Lines{large, large}));
 }

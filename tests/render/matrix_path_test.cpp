@@ -42,6 +42,7 @@ TEST_F(MatrixPathTest, TheLastRowTellsTheOrder) {
   expect_the_cameras(read("rows.csv", kRows));
   expect_the_cameras(read("columns.txt", kColumns));
   expect_the_cameras(read("ROWS.CSV", kRows));
+  expect_the_cameras(read("rows.csv.gz", kRows));
 }
 
 TEST_F(MatrixPathTest, TablesMayHaveAHeadingCommentsAndBlanks) {

@@ -497,7 +497,7 @@ typedef struct occlude_cull_options {
   /// same, and so is the order of the arrays.
   const occlude_executor* executor;
   /// The coarse picture in pixels, clamped to [64, 4096] and rounded up to multiples of 8. A larger one hides more and costs
-  /// more.
+  /// more. With a budget of less than about six milliseconds, or as much work, it is smaller than this.
   int32_t cover_width, cover_height;
   /// The budget: the most work, which is one for each box that is asked and 16 for each triangle that is drawn into the
   /// picture, and the most milliseconds. Occluders have three quarters of it; objects are all asked, because each is listed

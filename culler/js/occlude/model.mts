@@ -7,7 +7,7 @@ import type {Library, Scratch} from "./library.mjs";
 import {meshDataOf, type Polygons} from "./mesh.mjs";
 import {choiceOf, wholeOf} from "./numbers.mjs";
 import {Disposable} from "./resource.mjs";
-import {asked} from "./view.mjs";
+import {holdsFor} from "./view.mjs";
 
 export interface CullerOptions {
   /** The most polygons of a leaf. Smaller leaves cull more, but cost more and make more ranges. Default: 4. */
@@ -56,11 +56,7 @@ export class ModelView extends Disposable {
 
   /** As View.holdsFor(). */
   holdsFor(camera: Camera): boolean {
-    const {library, pointer} = this.resource;
-    return library.using(scratch => {
-      const {place, suffix} = cameraOf(scratch, camera);
-      return asked(library, holds => library.c[`occlude_model_view_holds_for${suffix}`]!(pointer, place, holds));
-    });
+    return holdsFor(this, "occlude_model_view_holds_for", camera);
   }
 }
 

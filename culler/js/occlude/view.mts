@@ -17,6 +17,15 @@ export function asked(library: Library, ask: (holds: number) => number): boolean
   });
 }
 
+/** Asks a function of C whether the last frame of a view does for the camera, too. */
+export function holdsFor(view: Disposable, ask: "occlude_view_holds_for" | "occlude_model_view_holds_for", camera: Camera): boolean {
+  const {library, pointer} = view.resource;
+  return library.using(scratch => {
+    const {place, suffix} = cameraOf(scratch, camera);
+    return asked(library, holds => library.c[`${ask}${suffix}`]!(pointer, place, holds));
+  });
+}
+
 /** One camera of a scene, and its last frame. It may be used with any scene at any time. */
 export class View extends Disposable {
   /** @internal */
@@ -29,11 +38,7 @@ export class View extends Disposable {
    * of its `eyes`. Never true by rounding, and not before the first frame.
    */
   holdsFor(camera: Camera): boolean {
-    const {library, pointer} = this.resource;
-    return library.using(scratch => {
-      const {place, suffix} = cameraOf(scratch, camera);
-      return asked(library, holds => library.c[`occlude_view_holds_for${suffix}`]!(pointer, place, holds));
-    });
+    return holdsFor(this, "occlude_view_holds_for", camera);
   }
 
   /** Whether boxes, such as those of objects about to be added, would be visible in the last frame; before it all are. */

@@ -96,7 +96,8 @@ std::optional<PathFault> fault_of(const CameraPath& path) {
 }
 
 CameraPath read_camera_path(const std::filesystem::path& file, const PathDefaults& defaults) {
-  const std::string extension = extension_of(file);
+  const std::string last = extension_of(file);
+  const std::string extension = last == ".gz" ? extension_of(file.stem()) : last;
   const bool is_table = extension == ".csv" || extension == ".txt";
   return is_table ? read_csv_path(file, defaults) : read_json_path(file, defaults);
 }

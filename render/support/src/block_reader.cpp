@@ -43,28 +43,31 @@ std::string_view BlockReader::ahead() {
     }
     const bool is_first = read_ == 0;
     std::string block;
-    refill(block);
+    while (refill(block) && is_first && block.size() < Gunzip::kBegin.size() && Gunzip::kBegin.starts_with(block)) {
+    }
     if (block.empty()) {
       if (gunzip_ && !gunzip_->is_complete()) throw InputError(name_ + ": the compressed data are cut off");
       block_.clear();
       break;
     }
-    if (is_first && Gunzip::is_begin(block)) gunzip_ = std::make_unique<Gunzip>();
+    if (is_first && block.starts_with(Gunzip::kBegin)) gunzip_ = std::make_unique<Gunzip>();
     gunzip_ ? gunzip_->feed(std::move(block)) : block_.swap(block);
   }
   return std::string_view(block_).substr(used_);
 }
 
-void BlockReader::refill(std::string& block) {
-  block.resize(kPipeBuffer);
+bool BlockReader::refill(std::string& block) {
+  const std::size_t before = block.size();
+  block.resize(before + kPipeBuffer);
   ssize_t length = 0;
   do {
-    length = ::read(file_, block.data(), block.size());
+    length = ::read(file_, block.data() + before, kPipeBuffer);
     if (length < 0) check_interrupt();
   } while (length < 0 && errno == EINTR);
   if (length < 0) fail("cannot be read");
-  block.resize(static_cast<std::size_t>(length));
-  read_ += block.size();
+  block.resize(before + static_cast<std::size_t>(length));
+  read_ += static_cast<std::size_t>(length);
+  return length > 0;
 }
 
 void BlockReader::fail(const char* what) const {

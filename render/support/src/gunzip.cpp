@@ -36,8 +36,11 @@ bool Gunzip::next(std::string& block) {
   stream_->next_out = reinterpret_cast<Bytef*>(block.data());
   stream_->avail_out = static_cast<uInt>(block.size());
   for (;;) {
-    if (is_complete_ && stream_->avail_in == 0) break;
-    if (is_complete_) inflateReset(stream_);  // one compressed file may follow another
+    if (is_complete_) {
+      for (; stream_->avail_in > 0 && *stream_->next_in == 0; --stream_->avail_in) ++stream_->next_in;  // as gzip: tapes
+      if (stream_->avail_in == 0) break;
+      inflateReset(stream_);  // one compressed file may follow another
+    }
     const int status = inflate(stream_, Z_NO_FLUSH);
     if (status == Z_BUF_ERROR) break;  // no more without room, or more bytes
     if (status != Z_OK && status != Z_STREAM_END) return false;

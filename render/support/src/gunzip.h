@@ -17,8 +17,8 @@ class Gunzip {
   Gunzip(const Gunzip&) = delete;
   Gunzip& operator=(const Gunzip&) = delete;
 
-  /// Whether compressed data may begin with these bytes.
-  [[nodiscard]] static bool is_begin(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+  /// Compressed data begin with these bytes.
+  static constexpr std::string_view kBegin = "\x1f\x8b";
 
   /// The next compressed bytes. REQUIRES: the last ones are all used.
   void feed(std::string compressed);

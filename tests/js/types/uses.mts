@@ -3,6 +3,8 @@
 import {
   hidden, load, OccludeError, slot, slots, type Camera, type Fate, type ObjectId, type ObjectIds, type OccluderId, type SceneFrame,
 } from "occlude";
+import type {Occlusion} from "occlude/three";
+import {startWorker, type WorkerObject} from "occlude/worker";
 
 const occlude = await load();
 const scene = new occlude.Scene();
@@ -29,7 +31,12 @@ const error: Error = new OccludeError("failed", "");
   other.holdsFor(camera);
 }
 view.dispose();
-export {by, drawn, error, isHeld, number, numbers, objects, why};
+const inWorker = await startWorker({cull: {margin: occlude.marginFor(720)}});
+const things: WorkerObject[] = inWorker.addObjects(new Float32Array(6));
+inWorker.addOccluders(inWorker.addMesh({vertices: [], indices: []}), [], {object: things[0]});
+const isUnasked: boolean = inWorker.cull(camera, 0).isUnasked;
+export type {Occlusion};
+export {by, isUnasked, drawn, error, isHeld, number, numbers, objects, why};
 
 // @ts-expect-error an id of the other kind
 scene.removeObjects([occluder]);
@@ -49,5 +56,7 @@ scene.cull(camera, new occlude.ModelView());
 scene.cull(camera, view, {frontToback: true});
 // @ts-expect-error frames are not changed
 frame.sizes = new Float32Array(0);
+// @ts-expect-error an id of another scene
+inWorker.removeObjects([3]);
 // @ts-expect-error what is internal
 scene.resource;

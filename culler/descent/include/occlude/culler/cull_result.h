@@ -118,7 +118,7 @@ struct CoverOptions {
   static constexpr std::size_t kWorkOfTriangle = 16;
 
   /// The size in pixels, clamped to the limits above and then rounded up to multiples of 8. A larger picture hides more and
-  /// costs more: with a tight budget it is smaller than this, of the same shape.
+  /// costs more. With a budget of less than about six milliseconds, or as much work, it is smaller than this.
   int width = 576, height = 360;
   /// The most work: boxes that are asked, and kWorkOfTriangle for each triangle that is drawn into the picture. One that is
   /// drawn again with what touches it counts again. On every machine the same frame is the same. In a Scene, objects are all

@@ -32,8 +32,8 @@ class BlockReader {
   [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
-  /// Reads the next bytes of the file, waiting if necessary; none at the end.
-  void refill(std::string& block);
+  /// Appends the next bytes of the file, waiting if necessary. False at the end.
+  bool refill(std::string& block);
   [[noreturn]] void fail(const char* what) const;
 
   std::string name_;

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// Scenes of three.js: which meshes a renderer is told to leave out, found without one, and held against rays.
+import assert from "node:assert/strict";
+import {existsSync} from "node:fs";
+import {test as check} from "node:test";
+
+import {dist, load, need, packageFolder, random} from "./common.mjs";
+
+const module = `${packageFolder}/node_modules/three/build/three.module.js`;
+const needed = need(module, "three in node_modules");
+const test = (name, work) => check(name, needed, work);
+const THREE = existsSync(module) ? await import(module) : {};
+const {Occlusion} = existsSync(module) ? await import(`${dist}/three.mjs`) : {};
+const occlude = await load();
+
+/** Asks as WebGLRenderer does: each visible object once for the picture, and then again for the map of a shadow. */
+function render(scene, camera, renderer = {clippingPlanes: []}) {
+  const drawn = new Set(), shadows = new Set();
+  const visit = (object, found) => {
+    if (!object.visible) return;
+    if (object.layers.test(camera.layers)) {
+      if (object.isLOD && object.autoUpdate) object.update(camera);
+      if (object.isMesh) found.add(object);
+    }
+    for (const child of object.children) visit(child, found);
+  };
+  scene.updateMatrixWorld();
+  camera.updateMatrixWorld();
+  scene.onBeforeRender(renderer, scene, camera);
+  visit(scene, drawn);
+  visit(scene, shadows);
+  scene.onAfterRender(renderer, scene, camera);
+  return {drawn, shadows};
+}
+
+const cubes = () => new THREE.BoxGeometry(1, 1, 1);
+const mesh = (material = {}, size = [1, 1, 1], place = [0, 0, -20]) => {
+  const made = new THREE.Mesh(cubes(), new THREE.MeshBasicMaterial(material));
+  made.scale.set(...size);
+  made.position.set(...place);
+  return made;
+};
+/** From the origin along -z, at a wall at z = -10, with a cube behind it. */
+function behindWall(material) {
+  const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(60, 16 / 9, 0.1, 100);
+  const wall = mesh(material, [10, 10, 0.5], [0, 0, -10]), thing = mesh();
+  scene.add(wall, thing);
+  return {scene, camera, wall, thing, occlusion: new Occlusion(occlude, scene)};
+}
+
+test("what is behind is left out of the picture, and of nothing else", () => {
+  const {scene, camera, wall, thing, occlusion} = behindWall();
+  assert.equal(render(scene, camera).drawn.size, 2, "before the first update");
+  occlusion.update(camera);
+  const {drawn, shadows} = render(scene, camera);
+  assert.deepEqual([drawn.has(wall), drawn.has(thing), shadows.has(thing)], [true, false, true]);
+  assert.equal(occlusion.hiddenFrom(camera), 1);
+  assert.equal(thing.layers.test(camera.layers), true, "for picking");
+  assert.equal(render(scene, camera.clone()).drawn.size, 2, "another camera");
+  assert.equal(render(scene, camera, {clippingPlanes: [new THREE.Plane()]}).drawn.size, 2);
+  camera.position.x = 18;
+  assert.equal(render(scene, camera).drawn.size, 2, "a camera that has moved");
+  occlusion.update(camera);
+  assert.ok(render(scene, camera).drawn.has(thing));
+  scene.overrideMaterial = new THREE.MeshBasicMaterial({transparent: true});
+  assert.equal(render(scene, camera).drawn.size, 2);
+});
+
+test("transparent and tested materials hide nothing, and are hidden", () => {
+  for (const material of [{transparent: true}, {alphaTest: 0.5}, {depthWrite: false}, {colorWrite: false}, {visible: false},
+                          {alphaHash: true}, {clippingPlanes: [new THREE.Plane()]}, {blending: THREE.AdditiveBlending}]) {
+    const {scene, camera, thing, occlusion} = behindWall(material);
+    occlusion.update(camera);
+    assert.ok(render(scene, camera).drawn.has(thing), Object.keys(material)[0]);
+  }
+  const {scene, camera, occlusion} = behindWall(), glass = mesh({transparent: true, opacity: 0.5});
+  scene.add(glass);
+  occlusion.update(camera);
+  assert.equal(render(scene, camera).drawn.has(glass), false);
+});
+
+test("sides: a wall that is drawn from its back alone hides from there", () => {
+  for (const [side, isHidden] of [[THREE.FrontSide, true], [THREE.BackSide, false], [THREE.DoubleSide, true]]) {
+    const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(60, 1, 0.1, 100), thing = mesh();
+    const plane = new THREE.Mesh(new THREE.PlaneGeometry(20, 20), new THREE.MeshBasicMaterial({side}));
+    plane.position.z = -10; // its front looks along z, to the camera
+    scene.add(plane, thing);
+    const occlusion = new Occlusion(occlude, scene);
+    occlusion.update(camera);
+    assert.equal(!render(scene, camera).drawn.has(thing), isHidden);
+    plane.scale.x = -1; // mirrored: three.js still draws the same side
+    occlusion.update(camera);
+    assert.equal(!render(scene, camera).drawn.has(thing), isHidden);
+    plane.rotation.y = Math.PI;
+    occlusion.update(camera);
+    assert.equal(!render(scene, camera).drawn.has(thing), side !== THREE.FrontSide);
+  }
+});
+
+test("what may reach out of its box, or shows through, is always drawn", () => {
+  const {scene, camera, occlusion} = behindWall();
+  const skinned = new THREE.SkinnedMesh(cubes(), new THREE.MeshBasicMaterial());
+  const morphing = new THREE.Mesh(cubes(), new THREE.MeshBasicMaterial());
+  morphing.geometry.morphAttributes.position = [morphing.geometry.getAttribute("position")];
+  const own = new THREE.Mesh(cubes(), new THREE.ShaderMaterial()), patched = mesh();
+  patched.material.onBeforeCompile = () => {};
+  const ways = [{depthTest: false}, {wireframe: true}, {polygonOffset: true}, {stencilWrite: true}];
+  const all = [skinned, morphing, own, patched, ...ways.map(way => mesh(way))];
+  for (const each of all) each.position.z = -20, scene.add(each);
+  occlusion.update(camera);
+  const {drawn} = render(scene, camera);
+  assert.deepEqual(all.map(each => drawn.has(each)), all.map(() => true));
+});
+
+test("groups come, go and move; geometries and instances change; layers", () => {
+  const {scene, camera, wall, thing, occlusion} = behindWall();
+  const isHidden = () => (occlusion.update(camera), !render(scene, camera).drawn.has(thing));
+  const group = new THREE.Group();
+  scene.add(group);
+  group.add(thing);
+  assert.equal(isHidden(), true);
+  group.position.x = 15;
+  assert.equal(isHidden(), false);
+  group.position.x = 0;
+  assert.equal(isHidden(), true);
+  wall.visible = false;
+  assert.equal(isHidden(), false);
+  wall.visible = true;
+  assert.equal(isHidden(), true);
+  wall.layers.set(1);
+  assert.equal(isHidden(), false);
+  camera.layers.enable(1);
+  assert.equal(isHidden(), true);
+  wall.layers = new THREE.Layers();
+  assert.equal(isHidden(), true);
+  wall.material.transparent = true;
+  assert.equal(isHidden(), false);
+  wall.material.transparent = false;
+  const position = wall.geometry.getAttribute("position");
+  for (let i = 0; i < position.count; ++i) position.setX(i, position.getX(i) + 9);
+  position.needsUpdate = true;
+  assert.equal(isHidden(), false);
+  scene.remove(wall);
+  const bricks = new THREE.InstancedMesh(cubes(), new THREE.MeshBasicMaterial(), 4);
+  for (let i = 0; i < 4; ++i) bricks.setMatrixAt(i, new THREE.Matrix4().makeScale(3, 8, 1).setPosition(3 * i - 4.5, 0, -10));
+  scene.add(bricks);
+  assert.equal(isHidden(), false, "a seam is left between the two in the middle");
+  for (let i = 0; i < 4; ++i) bricks.setMatrixAt(i, new THREE.Matrix4().makeScale(9, 8, 1).setPosition(3 * i - 4.5, 0, -10));
+  bricks.instanceMatrix.needsUpdate = true;
+  assert.equal(isHidden(), true);
+  const many = new THREE.InstancedMesh(cubes(), new THREE.MeshBasicMaterial(), 2);
+  for (let i = 0; i < 2; ++i) many.setMatrixAt(i, new THREE.Matrix4().setPosition(i, 0, -20));
+  scene.add(many);
+  occlusion.update(camera);
+  assert.equal(render(scene, camera).drawn.has(many), false);
+});
+
+test("levels of detail are those of the camera", () => {
+  const {scene, camera, wall, thing, occlusion} = behindWall();
+  scene.remove(wall);
+  const lod = new THREE.LOD();
+  lod.position.z = -10;
+  wall.position.z = 0;
+  lod.addLevel(wall, 0);
+  lod.addLevel(mesh({}, [0.1, 0.1, 0.1], [0, 0, 0]), 50);
+  scene.add(lod);
+  occlusion.update(camera);
+  assert.equal(render(scene, camera).drawn.has(thing), false);
+  camera.position.z = 60;
+  occlusion.update(camera);
+  assert.equal(render(scene, camera).drawn.has(thing), true);
+});
+
+test("orthographic cameras, reversed depth, WebGPU's depth, several cameras at once", () => {
+  const {scene, thing, occlusion} = behindWall();
+  const cameras = [new THREE.OrthographicCamera(-8, 8, 5, -5, 0.1, 100), new THREE.PerspectiveCamera(60, 2, 0.1, 100)];
+  for (const camera of [...cameras]) {
+    const gpu = camera.clone();
+    gpu.coordinateSystem = THREE.WebGPUCoordinateSystem;
+    const reversed = gpu.clone();
+    reversed.coordinateSystem = THREE.WebGPUCoordinateSystem;
+    reversed._reversedDepth = true;
+    for (const each of [gpu, reversed]) each.updateProjectionMatrix(), cameras.push(each);
+  }
+  const aside = new THREE.PerspectiveCamera(60, 2, 0.1, 100);
+  aside.position.set(30, 0, -20);
+  aside.lookAt(0, 0, -20);
+  for (const camera of [...cameras, aside]) occlusion.update(camera);
+  for (const camera of cameras) assert.equal(render(scene, camera).drawn.has(thing), false);
+  assert.equal(render(scene, aside).drawn.has(thing), true);
+});
+
+test("dispose leaves all as it was", () => {
+  const scene = new THREE.Scene(), calls = [];
+  const before = () => calls.push("before");
+  scene.onBeforeRender = before;
+  scene.add(mesh({}, [10, 10, 1], [0, 0, -10]), mesh());
+  const camera = new THREE.PerspectiveCamera(), occlusion = new Occlusion(occlude, scene);
+  occlusion.update(camera);
+  assert.equal(render(scene, camera).drawn.size, 1);
+  assert.deepEqual(calls, ["before"]);
+  occlusion.dispose();
+  assert.equal(render(scene, camera).drawn.size, 2);
+  assert.equal(scene.onBeforeRender, before);
+  scene.traverse(object => assert.deepEqual(Object.keys(object.layers), ["mask"]));
+});
+
+test("layers that several meshes share are left alone", () => {
+  const {scene, camera, wall, thing, occlusion} = behindWall();
+  thing.layers = wall.layers;
+  occlusion.update(camera);
+  assert.equal(render(scene, camera).drawn.size, 2);
+});
+
+test("in random scenes that change, no ray finds what is left out", () => {
+  const next = random(8), scene = new THREE.Scene(), occlusion = new Occlusion(occlude, scene), raycaster = new THREE.Raycaster();
+  const shapes = [cubes(), new THREE.SphereGeometry(0.7, 12, 8), new THREE.ConeGeometry(0.6, 2, 9), new THREE.PlaneGeometry(3, 3)];
+  const place = object => {
+    object.position.set(40 * next() - 20, 20 * next() - 10, 40 * next() - 20);
+    object.rotation.set(6 * next(), 6 * next(), 6 * next());
+    object.scale.setScalar(0.5 + 4 * next() * next());
+  };
+  const sides = [THREE.FrontSide, THREE.BackSide, THREE.DoubleSide];
+  const add = () => {
+    const pick = list => list[Math.floor(next() * list.length)];
+    const made = new THREE.Mesh(pick(shapes), new THREE.MeshBasicMaterial({side: pick(sides), transparent: next() < 0.1}));
+    place(made);
+    scene.add(made);
+  };
+  for (let i = 0; i < 300; ++i) add();
+  let hidden = 0;
+  const camera = new THREE.PerspectiveCamera(70, 1.5, 0.1, 200);
+  for (let f = 0; f < 12; ++f) {
+    place(camera);
+    camera.scale.setScalar(1);
+    for (let i = 0; i < 10; ++i) place(scene.children[Math.floor(next() * scene.children.length)]);
+    scene.remove(scene.children[0]);
+    add();
+    occlusion.update(camera);
+    const {drawn} = render(scene, camera);
+    hidden += occlusion.hiddenFrom(camera);
+    for (let x = 0; x < 40; ++x) {
+      for (let y = 0; y < 26; ++y) {
+        raycaster.setFromCamera(new THREE.Vector2((2 * x + 1) / 40 - 1, (2 * y + 1) / 26 - 1), camera);
+        raycaster.near = 0.2;
+        for (const {object} of raycaster.intersectObjects(scene.children)) {
+          assert.ok(drawn.has(object), `frame ${f}: a ray finds what is left out`);
+          if (!object.material.transparent) break;
+        }
+      }
+    }
+  }
+  console.log(`${hidden} of ${12 * 300} are left out`);
+  assert.ok(hidden > 1000);
+});
