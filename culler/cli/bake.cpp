@@ -8,13 +8,13 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.h"
+#include "cell_map.h"
 #include "cells.h"
 #include "command_arguments.h"
 #include "commands.h"
@@ -24,6 +24,7 @@
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/image.h"
 #include "occlude/render/interrupt.h"
 #include "occlude/render/job.h"
 #include "occlude/render/packing.h"
@@ -40,7 +41,7 @@ namespace {
 constexpr const char *kGrid = "grid", *kCorridor = "corridor";
 
 struct BakeArguments {
-  std::string model, out, cells, heights, objects;
+  std::string model, out, map, cells, heights, objects;
   CellGrid grid;
   double reach = 5, piece = 2;
   std::size_t cover_size = 384;
@@ -51,18 +52,20 @@ struct BakeArguments {
   std::string given;  ///< the options on which the sets depend
 };
 
+/// The axis that is up in the model, for an option that needs one.
+UpAxis up_for(const char* option, const render::ModelFile& model) {
+  const auto up = axis_of(up_of(model.notes));
+  if (!up) refuse(option, "what is up in the model is no axis");
+  return *up;
+}
+
 /// The layer "LOW:HIGH" along the axis that is up.
-CellGrid::Layer layer_of(const std::string& text, const glm::dvec3& up) {
+CellGrid::Layer layer_of(const std::string& text, const UpAxis& up) {
   const std::size_t colon = text.find(':');
   const auto low = parse_number(text.substr(0, colon)),
              high = colon == std::string::npos ? std::nullopt : parse_number(text.substr(colon + 1));
   if (!low || !high || !(*low <= *high)) refuse("--heights", "expected LOW:HIGH, two numbers");
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::dvec3 along{0, 0, 0};
-    along[axis] = 1;
-    if (up == along || up == -along) return {*low, *high, axis, up != along};
-  }
-  refuse("--heights", "what is up in the model is no axis: list the cells in a file");
+  return {*low, *high, up.axis, up.is_down};
 }
 
 /// The sets are of the polygons of the model's file, or of objects.
@@ -165,7 +168,7 @@ std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint3
 
 std::vector<kernel::Aabb> cells_of(BakeArguments& arguments, const render::ModelFile& model,
                                    const culler::Hierarchy& hierarchy) {
-  if (!arguments.heights.empty()) arguments.grid.layer = layer_of(arguments.heights, up_of(model.notes));
+  if (!arguments.heights.empty()) arguments.grid.layer = layer_of(arguments.heights, up_for("--heights", model));
   std::vector<kernel::Aabb> cells;
   try {
     cells = arguments.cells == kGrid       ? arguments.grid.cells_of(hierarchy.nodes()[0].box)
@@ -189,28 +192,64 @@ std::uint64_t hash_of_file(const std::string& file) {
   return hash;
 }
 
-std::string to_json(const VisibleSets& sets, std::size_t seen, std::size_t bytes, double seconds) {
-  const nlohmann::ordered_json told{
-      {"cells", sets.cells.size()}, {"items", sets.items}, {"seen", seen}, {"bytes", bytes}, {"seconds", seconds}};
-  return told.dump(2) + "\n";
-}
+struct Told {
+  std::size_t cells, items, seen = 0, most = 0, bytes = 0;
+  double seconds = 0;
 
-std::string to_text(const std::string& file, const VisibleSets& sets, std::size_t seen, std::size_t bytes, double seconds) {
-  const auto cells = static_cast<double>(sets.cells.size());
-  return fmt::format("{}: {} cells, each sees {:.1f} of {} on average; {} bytes, {:.2f} for each of these; {:.1f} s\n", file,
-                     sets.cells.size(), static_cast<double>(seen) / cells, sets.items, bytes,
-                     static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(seen, 1)), seconds);
+  [[nodiscard]] std::string json() const {
+    const nlohmann::ordered_json told{{"cells", cells}, {"items", items}, {"seen", seen},
+                                      {"most", most},   {"bytes", bytes}, {"seconds", seconds}};
+    return told.dump(2) + "\n";
+  }
+  [[nodiscard]] std::string text(const std::string& file) const {
+    const auto per = [](std::size_t sum, std::size_t count) {
+      return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(count, 1));
+    };
+    return fmt::format(
+        "{}: {} cells, each sees {:.1f} of {} on average, and {} at most; {} bytes, {:.2f} for each of these; {:.1f} s\n",
+        file, cells, per(seen, cells), items, most, bytes, per(bytes, seen), seconds);
+  }
+};
+
+/// The files that are written, on the first rank.
+struct Outputs {
+  explicit Outputs(const BakeArguments& arguments) : sets(arguments.out) {
+    if (!arguments.map.empty()) map.emplace(arguments.map);
+  }
+
+  render::OutputFile sets;
+  std::optional<render::OutputFile> map;
+};
+
+/// Writes what was baked.
+Told write(Outputs& outputs, const VisibleSets& sets, const std::optional<UpAxis>& up) {
+  Told told{sets.cells.size(), sets.items};
+  std::vector<MapCell> map;
+  for (const BakedCell& cell : sets.cells) {
+    map.push_back({cell.box, size_of(cell.items)});
+    told.seen += map.back().number;
+    told.most = std::max(told.most, map.back().number);
+  }
+  write_visible_sets(outputs.sets, sets);
+  if (outputs.map) {
+    render::write_png(*outputs.map, map_of(map, *up));
+    outputs.map->close();
+  }
+  outputs.sets.commit();
+  if (outputs.map) outputs.map->commit();
+  told.bytes = std::filesystem::file_size(outputs.sets.path());
+  return told;
 }
 
 void bake(BakeArguments& arguments) {
-  const bool is_first = render::is_first_rank();
-  std::optional<render::OutputFile> file;
-  if (is_first) file.emplace(arguments.out);
+  std::optional<Outputs> outputs;
+  if (render::is_first_rank()) outputs.emplace(arguments);
   render::WalkOptions walk;
   walk.read = arguments.read.options();
   walk.cull.method = culler::Method::cover;
   walk.build.hierarchy.leaf_size = 1;  // polygon by polygon
   const render::ModelFile model = open_model(arguments.model, walk);
+  const auto up = arguments.map.empty() ? std::nullopt : std::optional(up_for("--map", model));
   const culler::Culler culler = render::make_culler(model, walk);
   const Items items = items_of(culler.hierarchy(), arguments.objects);
   std::vector<kernel::Aabb> cells = cells_of(arguments, model, culler.hierarchy());
@@ -225,16 +264,12 @@ void bake(BakeArguments& arguments) {
   VisibleSets sets{
       hash, items.count,
       bake_all(job, Baker(culler, items, std::move(cells), arguments.piece, arguments.cover_size), items.count)};
-  if (!is_first) return;
+  if (!outputs) return;
   make_mutual(sets.cells);
-  write_visible_sets(*file, sets);
-  file->commit();
+  Told told = write(*outputs, sets, up);
+  told.seconds = stopwatch.seconds();
   job.finish();
-  const std::size_t seen = std::transform_reduce(sets.cells.begin(), sets.cells.end(), std::size_t{0}, std::plus<>(),
-                                                 [](const BakedCell& cell) { return size_of(cell.items); });
-  const std::size_t bytes = std::filesystem::file_size(arguments.out);
-  arguments.json ? render::print(to_json(sets, seen, bytes, stopwatch.seconds()))
-                 : render::tell(to_text(arguments.out, sets, seen, bytes, stopwatch.seconds()));
+  arguments.json ? render::print(told.json()) : render::tell(told.text(arguments.out));
 }
 
 }  // namespace
@@ -260,6 +295,8 @@ void add_bake(Command app, int&) {
         if (cells != kGrid && cells != kCorridor) render::keep_input(cells);
       });
   add_output(command, "--out", a->out, "file to write").required();
+  add_output(command, "--map", a->map,
+             "PNG of the cells from above, from dark blue over red to yellow by how much each sees");
   command.add("--cell-size", a->grid.size, "side of a cube, in units of the model").show_default().in_range(1e-6, 1e9);
   command.add("--heights", a->heights, "LOW:HIGH: one layer of cells, from and to these heights");
   a->path.add_to(command, "of --cells corridor");
@@ -280,7 +317,7 @@ void add_bake(Command app, int&) {
   command.add_flag("--json", a->json, "print the counts as JSON");
   a->parts.add_to(command, "bake");
   command.run_on_all_ranks([a, command] {
-    a->given = command.given_but({"MODEL", "--out", "--json", "--quiet", "--parts", "--resume"});
+    a->given = command.given_but({"MODEL", "--out", "--map", "--json", "--quiet", "--parts", "--resume"});
     bake(*a);
   });
 }

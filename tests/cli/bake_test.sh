@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # `occlude bake`: visible sets are what they should be, and nothing is left out that is seen.
-# Usage: bake_test.sh PATH_OF_OCCLUDE PATH_OF_THE_EXAMPLE_THAT_READS_SETS PATH_OF_BAKE_RAYS EXAMPLE_IN_PYTHON
+# Usage: bake_test.sh PATH_OF_OCCLUDE PATH_OF_THE_EXAMPLE_THAT_READS_SETS PATH_OF_BAKE_RAYS FOLDER_OF_EXAMPLES
 set -uo pipefail
-example=$(realpath "$2") rays=$(realpath "$3") python_example=$(realpath "$4")
+example=$(realpath "$2") rays=$(realpath "$3") examples=$(realpath "$4") pixels=$(realpath "$(dirname "$0")/png_pixels.py")
 . "$(dirname "$0")/common.sh"
 
 # A closed room of 8 by 6 by 3: floor 0, ceiling 1, walls 2 to 5. In its middle, at x = 4, a wall with a door from y = 2 to 3,
@@ -23,13 +23,15 @@ ply door.ply 38 13 "$room$wall$things$end$faces"
 here_='{"min":[0.5,2,1],"max":[1,3,2]}' beside='{"min":[6,0.2,1],"max":[7,0.6,2]}' before='{"min":[6,2,1],"max":[7,3,2]}'
 echo "{\"cells\":[$before,$here_,$beside]}" >cells.json
 "$occlude" bake door.ply --cells cells.json --out door.pvs --json >told 2>stderr || fail "bake: $(cat stderr)"
-grep -q '"cells": 3,' told && grep -q '"items": 13,' told && grep -q '"seen": 34,' told || fail "told: $(cat told)"
+grep -q '"cells": 3,' told && grep -q '"items": 13,' told && grep -q '"seen": 34,' told && grep -q '"most": 12,' told || fail "told: $(cat told)"
 grep -q "\"bytes\": $(stat -c %s door.pvs)," told || fail "the size: $(cat told)"
 
-# sees FILE EYE EXPECTED: what both readers print.
+readers=("$example" "python3 -B $examples/visible_sets.py")
+if command -v node >/dev/null; then readers+=("node $examples/visible_sets.mjs"); else echo "No node: its reader is not tried"; fi
+# sees FILE EYE EXPECTED: what all readers print.
 sees() {
   # shellcheck disable=SC2086
-  for reader in "$example" "python3 -B $python_example"; do
+  for reader in "${readers[@]}"; do
     $reader "$1" $2 >seen 2>stderr || fail "$reader: $(cat stderr)"
     [ "$(tr '\n' ';' <seen)" = "$3" ] || fail "$1 from $2: $(cat seen)"
   done
@@ -73,7 +75,9 @@ echo '{"frames":4,"keyframes":[{"eye":[1,2.5,1.5],"target":[2,2.5,1.5]},{"eye":[
 grep -q '"cells": 6,' told || fail "cells of a corridor: $(cat told)"
 clear door.ply way.pvs 20000 9
 sees way.pvs '6.5 2.5 2' 'cell 5;items 0 1 2 3 4 5 6 7 8 9 10 11;cells 0 1 2 3 4 5;'
-"$occlude" generate city --polygons 20000 --seed 5 --out city.ply --path city.json >/dev/null || fail "generate"
+"$occlude" generate city --polygons 20000 --seed 5 --out city.ply --path whole.json >/dev/null || fail "generate"
+# The first of its keyframes, which have a line each.
+{ sed -n '1s/2748/20/p; 2,9p' whole.json; sed -n '10s/,$/]}/p' whole.json; } >city.json
 "$occlude" bake city.ply --cells corridor --path city.json --cell-size 4 --reach 0 --heights 1:3 --out city.pvs >/dev/null || fail "city"
 clear city.ply city.pvs 2000 20
 grep -q ' 0 reach' rays || fail "$(cat rays)"
@@ -82,9 +86,46 @@ grep -q ' 0 reach' rays || fail "$(cat rays)"
 "$rays" door.ply closed.pvs 20000 9 >rays
 [ $? -eq 1 ] && grep -q 'cell 0 sees polygon 10 ' rays || fail "the rays do not find a wrong set: $(cat rays)"
 
-# Parts that are kept change no byte. A store with a polygon in each leaf gives the same as its model.
-"$occlude" bake city.ply --cells corridor --path city.json --cell-size 4 --reach 0 --heights 1:3 --parts kept --out again.pvs >/dev/null || fail "parts"
-cmp city.pvs again.pvs || fail "the bytes differ"
+# Parts that are kept change no byte, nor does a run that goes on with those of one that was killed, nor do ranks.
+long=(bake door.ply --cells grid --cell-size 1.5)
+has_parts() { [ "$(ls kept 2>/dev/null | grep -c '^part-')" -ge 2 ]; } # two parts are finished
+"$occlude" "${long[@]}" --parts kept --out killed.pvs >/dev/null 2>stderr &
+await has_parts
+{ kill -KILL $! && wait $!; } 2>/dev/null
+has_parts && [ ! -e killed.pvs ] || fail "killed: $(ls kept killed.pvs)"
+expect_error "kept: has finished parts of an earlier run" "$occlude" "${long[@]}" --parts kept --out killed.pvs
+expect_error "kept: has parts of another run" "$occlude" "${long[@]}" --piece 5 --parts kept --resume --out killed.pvs
+"$occlude" "${long[@]}" --parts kept --resume --out resumed.pvs >/dev/null || fail "--resume"
+[ ! -e kept ] || fail "parts are left behind: $(ls kept)"
+"$occlude" "${long[@]}" --out one.pvs >one || fail "bake"
+cmp one.pvs resumed.pvs || fail "--resume: the bytes differ"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+if ! command -v mpirun >/dev/null || mpirun -n 1 "$occlude" fuzz --cases 1 --findings '' 2>&1 | grep -q 'built without MPI'; then
+  echo "No mpirun: several processes are not tried"
+else
+  mpirun --oversubscribe -n 3 "$occlude" "${long[@]}" --out many.pvs >many 2>stderr || fail "mpirun: $(cat stderr)"
+  cmp one.pvs many.pvs || fail "mpirun: the bytes differ"
+  cmp -s <(sed 's/^one//; s/;[^;]*$//' one) <(sed 's/^many//; s/;[^;]*$//' many) || fail "mpirun prints $(cat many)"
+  ! compgen -G 'occlude_*_parts' >/dev/null || fail "mpirun leaves parts behind"
+fi
+
+# The map: 32 pixels for a unit, from above. Of two cells above each other that which sees more shows. The brightest sees
+# most; where there are none nothing is.
+echo '{"cells":[{"min":[0,0,1],"max":[1,1,2]},{"min":[31,0,1],"max":[32,2,2]},{"min":[6,2,1],"max":[7,3,2]},{"min":[6,2,9],"max":[7,3,9]}]}' >map.json
+"$occlude" bake door.ply --cells map.json --out map.pvs --map map.png >/dev/null || fail "--map"
+pixel() { # pixel X Y EXPECTED
+  [ "$(python3 -B "$pixels" map.png "$1" "$2")" = "$3" ] || fail "pixel $1 $2: $(python3 -B "$pixels" map.png "$1" "$2")"
+}
+[ "$(python3 -B "$pixels" map.png)" = '1024 96' ] || fail "the size of the map: $(python3 -B "$pixels" map.png)"
+pixel 192 0 '255 240 120 255'
+pixel 223 31 '255 240 120 255'
+pixel 224 31 '0 0 0 0'
+pixel 192 32 '0 0 0 0'
+pixel 1023 95 '175 41 86 255'
+pixel 992 32 '175 41 86 255'
+pixel 991 95 '0 0 0 0'
+
+# A store with a polygon in each leaf gives the same as its model.
 "$occlude" preprocess door.ply --leaf 1 --out door.pre >/dev/null || fail "preprocess"
 "$occlude" bake door.pre --cells cells.json --out store.pvs >/dev/null || fail "store"
 sees store.pvs '.7 2.5 1.5' 'cell 0;items 0 1 2 3 4 5 6 7 8 10 11;cells 0 2;'
@@ -133,5 +174,6 @@ expect_error '--cells' "$occlude" bake door.ply --cells grid --cell-size 0.01 --
 expect_error '--cells' "$occlude" bake door.ply --cells cells.json --piece 0.001 --out bad.pvs
 expect_error '--cell-size' "$occlude" bake door.ply --cells grid --cell-size 0 --out bad.pvs
 expect_error 'cells.json' "$occlude" bake door.ply --cells cells.json --out cells.json
+expect_error 'named twice' "$occlude" bake door.ply --cells cells.json --out bad.pvs --map ./bad.pvs
 
 finish
