@@ -33,6 +33,8 @@ def commands(city):
         "fuzz": (["fuzz", "--family", "lattice", "--cases", "400000", "--jobs", "1", "--findings", "", "--out", "result"],
                  "result"),
         "validate": (["validate", city, "--path", city + ".json", "--frames", "0:200:10", "--size", "160x90", "--json"], ""),
+        "bake": (["bake", city, "--cells", "corridor", "--path", city + ".json", "--cell-size", "60", "--piece", "60",
+                  "--reach", "0", "--heights", "1:3", "--out", "result", "--quiet"], "result"),
         "preprocess": (["preprocess", city, "--out", "result", "--region-count", "64", "--samples", "2", "--quiet"],
                        "result"),
     }

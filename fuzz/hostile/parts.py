@@ -12,6 +12,7 @@ other than 0, 1 and 2, an error that is not one line of printable text and names
 answer than that of the honest run, unless the user lied. The folder is kept then (--keep), and the exit code is 1."""
 import argparse
 import hashlib
+import json
 import os
 import pathlib
 import random
@@ -141,6 +142,12 @@ def read_hidden(part, _):
     part.block("floats", "hidden", None)
 
 
+def read_sets(part, _):
+    while not part.is_at_end():
+        part.block("changes", "items", None)
+        part.block("changes", "cells", None)
+
+
 class Command:
     """A command that keeps parts: how each stage packs its results, and what no run can have kept."""
 
@@ -162,6 +169,7 @@ def commands():
         "validate a lie": Command(["validate", *model, "--witness", "lie.jsonl"], proofs, **walls),
         "fuzz": Command(["fuzz", "--cases", "64", "--family", "lattice", "--family", "culler", "--seed", "5", "--json",
                          "--findings", "", "--jobs", "1"], [read_reports]),
+        "bake": Command(["bake", "model.ply", "--cells", "cells.json", "--quiet"], [read_sets]),
         "preprocess": Command(["preprocess", "model.ply", "--samples", "1", "--region-count", "8", "--quiet"],
                               [read_hidden], polygons=64),
     }
@@ -188,6 +196,7 @@ def write_inputs(occlude, folder):
         f"element face 64\nproperty list uchar int vertex_indices\nend_header\n{vertices}{faces}")
     (folder / "path.json").write_text('{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},'
                                       '{"eye":[0.5,0,0],"target":[1.5,0,0]}]}')
+    (folder / "cells.json").write_text(json.dumps({"cells": [{"min": [x, 0, 0], "max": [x + 0.5, 0.5, 0.5]} for x in range(40)]}))
     arguments = ["walk", "model.ply", "--path", "path.json", "--no-render", "--out", "walked", "--witness", "witness.jsonl",
                  "--quiet"]
     code, _, errors = run(occlude, arguments, folder)
@@ -208,7 +217,7 @@ def answer(outcome, folder):
 
 
 def with_output(command, name):
-    return [*command.arguments, "--out", name] if command.arguments[0] == "preprocess" else command.arguments
+    return [*command.arguments, "--out", name] if command.arguments[0] in ("bake", "preprocess") else command.arguments
 
 
 def keep_all(occlude, command, folder):
@@ -253,6 +262,9 @@ def blocks(field):
         numbers = [struct.pack("<f", x) for x in (float("nan"), float("inf"), -1, 65)]
         result += [(None, content[:-4] + number) for number in numbers]
         result += [(None, content + b"\0" * 4), (None, content[:-4]), (None, content[:-1])]
+    if kind == "changes":  # more than there are, not ascending, without an end
+        numbers = [struct.pack("<2I", *x) for x in ((0, 2**32 - 1), (5, 5), (7, 3))]
+        result += [(None, number) for number in numbers] + [(None, content[:-4]), (None, content[:-1])]
     if kind == "bits":
         result += [(None, content + b"\0"), (None, content[:-1])] if content else [(None, b"\0")]
     return result
@@ -292,7 +304,7 @@ def impossible(numbers, command, fields, reader):
     at = numbers.randrange(len(changed))
     if kind == "value":
         field = changed[at]
-        if field[0] in ("text", "bits", "floats"):
+        if field[0] in ("text", "bits", "changes", "floats"):
             field[2] = numbers.choice(blocks(field))
         else:
             field[2] = numbers.choice(impossible_numbers(command, *field))

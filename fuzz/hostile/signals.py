@@ -39,6 +39,7 @@ COMMANDS = {
     "validate": ("{walls} --path {path} --size 64x36 --exact-up-to 0 --out out", "out/failures.jsonl"),
     "validate --witness": ("{walls} --path {path} --size 64x36 --witness {walked}/witness.jsonl", ""),
     "audit": ("{walls} --log {walked}/log.jsonl --out out", "out/summary.json out/frames.jsonl out/false_culls.jsonl"),
+    "bake": ("{walls} --cells grid --cell-size 2 --out walls.pvs --map walls.png", "walls.pvs walls.png"),
     "fuzz": ("--cases 1000 --findings found.jsonl --out fuzz.json", "fuzz.json"),
     "bench kernel": ("--boxes 256 --repetitions 2", ""),
     "bench culler": ("{walls} --path {path} --frames 0:8 --size 64x36 --region-count 64 --repetitions 1 --out out",

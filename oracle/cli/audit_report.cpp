@@ -13,11 +13,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kPictures = 16;  // the first few are enough to see what is wrong
+constexpr std::size_t kAuditPictures = 16;  // the first few are enough to see what is wrong
 
 std::string picture_name(std::uint32_t frame) { return fmt::format("false_culls_{:06}.png", frame); }
 
-bool is_picture(const std::string& name) { return name.starts_with("false_culls_") && name.ends_with(".png"); }
+bool is_audit_picture(const std::string& name) { return name.starts_with("false_culls_") && name.ends_with(".png"); }
 
 /// The counts that a frame has and all of them together.
 template <class Counts>
@@ -72,13 +72,13 @@ AuditFiles::AuditFiles(const std::filesystem::path& folder)
       summary_(folder / "summary.json"),
       frames_(folder / "frames.jsonl"),
       lines_(folder / "false_culls.jsonl"),
-      pictures_(folder, is_picture) {}
+      pictures_(folder, is_audit_picture) {}
 
 void AuditFiles::add(const FrameAudit& audit, const LoggedFrame& frame, const CullLog& log, Auditor& auditor) {
   ordered_json counts{{"frame", frame.number}};
   counts.update(counts_of(audit, audit.visible.size()));
   frames_.write(counts.dump() + '\n');
-  const bool has_picture = !audit.visible.empty() && drawn_ < kPictures;
+  const bool has_picture = !audit.visible.empty() && drawn_ < kAuditPictures;
   for (const SeenPolygon& polygon : audit.visible) {
     ordered_json line = json_of(polygon, frame, log);
     if (has_picture) line["picture"] = picture_name(frame.number);

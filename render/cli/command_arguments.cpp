@@ -157,7 +157,9 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
 
 namespace {
 
-culler::Method method_named(const std::string& name) { return *std::ranges::find(render::kMethods, name, render::name_of); }
+culler::Method method_named(const std::string& name) {
+  return *std::ranges::find_if(render::kMethods, [&](culler::Method method) { return render::name_of(method) == name; });
+}
 
 }  // namespace
 

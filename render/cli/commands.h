@@ -24,6 +24,7 @@ void add_classify(Command app, int& exit_code);
 void add_why(Command app, int& exit_code);
 void add_validate(Command app, int& exit_code);
 void add_audit(Command app, int& exit_code);
+void add_bake(Command app, int& exit_code);
 void add_fuzz(Command app, int& exit_code);
 
 /// Subcommands of `bench`.

@@ -8,7 +8,7 @@ walk_of_squares
 
 expect_error "frobnicate" "$occlude" frobnicate
 
-commands=("" generate "generate city" preprocess walk render inspect compare why classify validate audit fuzz bench "bench kernel" "bench culler"
+commands=("" generate "generate city" preprocess walk render inspect compare why classify validate audit bake fuzz bench "bench kernel" "bench culler"
   "bench scene" "bench town" "bench held" "bench rivals" "bench all" help)
 for command in "${commands[@]}"; do
   "$occlude" $command --help >stdout || fail "no help for '$command'"
@@ -37,12 +37,13 @@ expect_error "'$(printf 'y%.0s' $(seq 500))' (see" "$occlude" "$(printf 'y%.0s' 
 
 # --quiet: nothing but errors, warnings and JSON that is asked for.
 three_cases
+echo '{"cells":[{"min":[0,0,0],"max":[1,1,1]}]}' >cells.json
 "$occlude" walk good.ply --path path.json --out walked --size 64x36 --witness witness.jsonl --log log.jsonl >/dev/null || fail "walk"
 for command in "generate city --polygons 20000 --out city.ply --path city.json" "preprocess good.ply --out good.pre --region-count 64" \
   "walk good.ply --path path.json --out out --no-render" "compare walked out" "classify cases.jsonl" \
   "render good.ply --path path.json --size 64x36 --frame 0 --out picture.png" \
   "why good.ply --path path.json --size 64x36 --frame 0 --polygon 0" "fuzz --cases 1 --family lattice --findings =" \
-  "validate good.ply --path path.json --witness witness.jsonl" "audit good.ply --log log.jsonl" "bench kernel --boxes 16 --repetitions 1" \
+  "validate good.ply --path path.json --witness witness.jsonl" "audit good.ply --log log.jsonl" "bake good.ply --cells cells.json --out good.pvs" "bench kernel --boxes 16 --repetitions 1" \
   "bench culler good.ply --path path.json --only sort --repetitions 1 --frames 0:2 --no-render" \
   "bench scene --objects 1000 --streamed 0 --moving 0 --moving-occluders 0 --frames 1 --settling 0" \
   "bench town --houses 10 --walls 5 --cars 2 --repetitions 1 --frames 2" \
@@ -91,7 +92,7 @@ else
   [[ $(on_terminal TERM=dumb) != *$'\e'* ]] || fail "colour on a terminal that has none"
 fi
 
-for command in "classify" "fuzz" "validate" "audit" "walk" "why" "preprocess" "bench culler" "bench rivals" "bench all"; do
+for command in "classify" "fuzz" "validate" "audit" "bake" "walk" "why" "preprocess" "bench culler" "bench rivals" "bench all"; do
   "$occlude" $command --help >stdout
   grep -q 'Limits: at most 16 MiB .* 4096 MiB' stdout || fail "$command --help does not tell limits"
 done

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+// occlude bake: what is seen from anywhere in each of many cells.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "cell_map.h"
+#include "cells.h"
+#include "command_arguments.h"
+#include "commands.h"
+#include "held/around_box.h"
+#include "object_list.h"
+#include "occlude/culler/culler.h"
+#include "occlude/render/console.h"
+#include "occlude/render/digest.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/image.h"
+#include "occlude/render/interrupt.h"
+#include "occlude/render/job.h"
+#include "occlude/render/packing.h"
+#include "occlude/render/progress.h"
+#include "occlude/render/ranks.h"
+#include "occlude/render/stopwatch.h"
+#include "occlude/render/store.h"
+#include "path_arguments.h"
+#include "visible_sets.h"
+
+namespace occlude::cli {
+namespace {
+
+constexpr const char *kGrid = "grid", *kCorridor = "corridor";
+
+struct BakeArguments {
+  std::string model, out, map, cells, heights, objects;
+  CellGrid grid;
+  double reach = 5, piece = 2;
+  std::size_t cover_size = 384;
+  ReadArguments read;
+  PathArguments path;
+  PartsArguments parts;
+  bool json = false;
+  std::string given;  ///< the options on which the sets depend
+};
+
+/// The axis that is up in the model, for an option that needs one.
+UpAxis up_for(const char* option, const render::ModelFile& model) {
+  const auto up = axis_of(up_of(model.notes));
+  if (!up) refuse(option, "what is up in the model is no axis");
+  return *up;
+}
+
+/// The layer "LOW:HIGH" along the axis that is up.
+CellGrid::Layer layer_of(const std::string& text, const UpAxis& up) {
+  const std::size_t colon = text.find(':');
+  const auto low = parse_number(text.substr(0, colon)),
+             high = colon == std::string::npos ? std::nullopt : parse_number(text.substr(colon + 1));
+  if (!low || !high || !(*low <= *high)) refuse("--heights", "expected LOW:HIGH, two numbers");
+  return {*low, *high, up.axis, up.is_down};
+}
+
+/// The sets are of the polygons of the model's file, or of objects.
+struct Items {
+  std::uint32_t count;
+  std::vector<std::uint32_t> of_polygon;  ///< of each polygon of the tree; `count` if it is in none
+};
+
+Items items_of(const culler::Hierarchy& hierarchy, const std::string& objects) {
+  Items items{static_cast<std::uint32_t>(hierarchy.face_count()), std::vector<std::uint32_t>(hierarchy.soup().size())};
+  for (std::size_t p = 0; p < items.of_polygon.size(); ++p) items.of_polygon[p] = hierarchy.face(p);
+  if (objects.empty()) return items;
+  const ObjectList list = read_objects(objects, hierarchy.face_count());
+  items.count = list.count;
+  for (std::uint32_t& item : items.of_polygon) item = list.of_polygon[item];
+  return items;
+}
+
+/// Bakes one cell after another.
+class Baker {
+ public:
+  Baker(const culler::Culler& culler, const Items& items, std::vector<kernel::Aabb> cells, double piece,
+        std::size_t cover_size)
+      : culler_(culler), items_(items), cells_(std::move(cells)), piece_(piece) {
+    options_.method = culler::Method::cover;
+    options_.cover.width = options_.cover.height = static_cast<int>(cover_size);
+  }
+
+  [[nodiscard]] const std::vector<kernel::Aabb>& cells() const { return cells_; }
+
+  [[nodiscard]] BakedCell bake(std::size_t cell) const {
+    std::vector<bool> seen(items_.count + std::size_t{1}), cells(cells_.size());
+    cells[cell] = true;
+    culler::View view;
+    const auto take = [&] {
+      for (const auto& [first, count] : view.result().drawn) {
+        for (std::uint32_t p = first; p < first + count; ++p) seen[items_.of_polygon[p]] = true;
+      }
+      for (std::size_t other = 0; other < cells_.size(); ++other) {
+        if (!cells[other]) cells[other] = view.visibility(cells_[other]) == culler::Visibility::visible;
+      }
+    };
+    for (const kernel::Aabb& piece : pieces_of(cells_[cell], piece_)) {
+      culler::cull_around(culler_, piece, options_, view, take);
+    }
+    seen.pop_back();  // what is in no object
+    return {cells_[cell], changes_of(seen), changes_of(cells)};
+  }
+
+ private:
+  const culler::Culler& culler_;
+  const Items& items_;
+  std::vector<kernel::Aabb> cells_;
+  double piece_;
+  culler::CullOptions options_;
+};
+
+Changes unpacked(render::Unpacker& unpacker, std::size_t count) {
+  Changes changes = unpacker.list<std::uint32_t>();
+  const bool is_set = changes.size() % 2 == 0 && (changes.empty() || changes.back() <= count) &&
+                      std::ranges::adjacent_find(changes, std::greater_equal<>()) == changes.end();
+  render::require_part(is_set, "what a cell sees is no set");
+  return changes;
+}
+
+/// All cells, on the first rank; the others only help.
+std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint32_t items) {
+  constexpr std::size_t kOfPart = 16;
+  const std::size_t count = baker.cells().size();
+  render::Progress progress("cell", count);
+  std::vector<BakedCell> baked;
+  std::size_t begun = 0;
+  const auto end_of = [&](std::size_t first) { return std::min(first + kOfPart, count); };
+  const auto next = [&]() -> std::optional<std::string> {
+    if (begun == count) return std::nullopt;
+    return render::Packer().put(std::exchange(begun, end_of(begun))).bytes();
+  };
+  const auto work = [&](const std::string& part) {
+    const auto first = render::Unpacker(part).get<std::size_t>();
+    render::require_part(first < count, "a cell that there is not");
+    std::vector<BakedCell> cells(end_of(first) - first);
+    culler::parallel_for(
+        cells.size(), [&](std::size_t i) { cells[i] = baker.bake(first + i); }, render::check_interrupt);
+    render::Packer packer;
+    for (const BakedCell& cell : cells) packer.put(cell.items).put(cell.cells);
+    return packer.bytes();
+  };
+  const auto take = [&](const std::string& result) {
+    render::Unpacker unpacker(result);
+    for (const std::size_t end = end_of(baked.size()); baked.size() < end;) {
+      Changes seen = unpacked(unpacker, items);
+      baked.push_back({baker.cells()[baked.size()], std::move(seen), unpacked(unpacker, count)});
+    }
+    unpacker.finish();
+    progress.update(baked.size());
+  };
+  job.run({next, work, take});
+  return baked;
+}
+
+std::vector<kernel::Aabb> cells_of(BakeArguments& arguments, const render::ModelFile& model,
+                                   const culler::Hierarchy& hierarchy) {
+  if (!arguments.heights.empty()) arguments.grid.layer = layer_of(arguments.heights, up_for("--heights", model));
+  std::vector<kernel::Aabb> cells;
+  try {
+    cells = arguments.cells == kGrid       ? arguments.grid.cells_of(hierarchy.nodes()[0].box)
+            : arguments.cells == kCorridor ? arguments.grid.cells_along(arguments.path.through(model), arguments.reach)
+                                           : read_cells(arguments.cells);
+    for (const kernel::Aabb& cell : cells) static_cast<void>(pieces_of(cell, arguments.piece));
+  } catch (const std::length_error& error) {
+    refuse("--cells", error.what());
+  }
+  std::ranges::sort(cells, is_before);
+  return cells;
+}
+
+std::uint64_t hash_of_file(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes(std::size_t{1} << 20U, '\0');
+  std::uint64_t hash = kHashOfNothing;
+  while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || in.gcount() > 0) {
+    hash = hash_of(std::string_view(bytes).substr(0, static_cast<std::size_t>(in.gcount())), hash);
+  }
+  return hash;
+}
+
+struct Told {
+  std::size_t cells, items, seen = 0, most = 0, bytes = 0;
+  double seconds = 0;
+
+  [[nodiscard]] std::string json() const {
+    const nlohmann::ordered_json told{{"cells", cells}, {"items", items}, {"seen", seen},
+                                      {"most", most},   {"bytes", bytes}, {"seconds", seconds}};
+    return told.dump(2) + "\n";
+  }
+  [[nodiscard]] std::string text(const std::string& file) const {
+    const auto per = [](std::size_t sum, std::size_t count) {
+      return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(count, 1));
+    };
+    return fmt::format(
+        "{}: {} cells, each sees {:.1f} of {} on average, and {} at most; {} bytes, {:.2f} for each of these; {:.1f} s\n",
+        file, cells, per(seen, cells), items, most, bytes, per(bytes, seen), seconds);
+  }
+};
+
+/// The files that are written, on the first rank.
+struct Outputs {
+  explicit Outputs(const BakeArguments& arguments) : sets(arguments.out) {
+    if (!arguments.map.empty()) map.emplace(arguments.map);
+  }
+
+  render::OutputFile sets;
+  std::optional<render::OutputFile> map;
+};
+
+/// Writes what was baked.
+Told write(Outputs& outputs, const VisibleSets& sets, const std::optional<UpAxis>& up) {
+  Told told{sets.cells.size(), sets.items};
+  std::vector<MapCell> map;
+  for (const BakedCell& cell : sets.cells) {
+    map.push_back({cell.box, size_of(cell.items)});
+    told.seen += map.back().number;
+    told.most = std::max(told.most, map.back().number);
+  }
+  write_visible_sets(outputs.sets, sets);
+  if (outputs.map) {
+    render::write_png(*outputs.map, map_of(map, *up));
+    outputs.map->close();
+  }
+  outputs.sets.commit();
+  if (outputs.map) outputs.map->commit();
+  told.bytes = std::filesystem::file_size(outputs.sets.path());
+  return told;
+}
+
+void bake(BakeArguments& arguments) {
+  std::optional<Outputs> outputs;
+  if (render::is_first_rank()) outputs.emplace(arguments);
+  render::WalkOptions walk;
+  walk.read = arguments.read.options();
+  walk.cull.method = culler::Method::cover;
+  walk.build.hierarchy.leaf_size = 1;  // polygon by polygon
+  const render::ModelFile model = open_model(arguments.model, walk);
+  const auto up = arguments.map.empty() ? std::nullopt : std::optional(up_for("--map", model));
+  const culler::Culler culler = render::make_culler(model, walk);
+  const Items items = items_of(culler.hierarchy(), arguments.objects);
+  std::vector<kernel::Aabb> cells = cells_of(arguments, model, culler.hierarchy());
+  const std::uint64_t hash = hash_of_file(arguments.model);
+  render::Job job(arguments.parts.keeping(), [&] {
+    const std::span<const kernel::Aabb> boxes = cells;
+    const std::span<const std::uint32_t> of_polygon = items.of_polygon;
+    return render::Digest().add(arguments.given).add(std::to_string(hash)).add(boxes).add(of_polygon).value();
+  });
+  const render::Stopwatch stopwatch;
+  culler.prepare(culler::Method::cover, render::check_interrupt);
+  VisibleSets sets{
+      hash, items.count,
+      bake_all(job, Baker(culler, items, std::move(cells), arguments.piece, arguments.cover_size), items.count)};
+  if (!outputs) return;
+  make_mutual(sets.cells);
+  Told told = write(*outputs, sets, up);
+  told.seconds = stopwatch.seconds();
+  job.finish();
+  arguments.json ? render::print(told.json()) : render::tell(told.text(arguments.out));
+}
+
+}  // namespace
+
+void add_bake(Command app, int&) {
+  Command command = app.add_command("bake", "Make visible sets: what is seen from anywhere in each of many cells");
+  command.footer(
+      "Whatever is not in the set of a cell is hidden from every eye in the cell, in all directions; whatever other cell "
+      "is\n"
+      "not in it, all that is there. docs/bake.md has the layout of the file, and programs that read it.\n" +
+      limits_help() +
+      "\n"
+      "Example: occlude bake city.ply --cells corridor --path city.json --cell-size 2 --heights 1:3 --out city.pvs\n"
+      "Example: occlude bake house.glb --cells rooms.json --objects furniture.json --out house.pvs");
+  const auto a = std::make_shared<BakeArguments>();
+  add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ..., or a store").required();
+  command
+      .add("--cells", a->cells,
+           "grid: cubes that fill the box of the model; corridor: those along a path; or a JSON file of boxes")
+      .required()
+      .check(check_named)
+      .each([](const std::string& cells) {
+        if (cells != kGrid && cells != kCorridor) render::keep_input(cells);
+      });
+  add_output(command, "--out", a->out, "file to write").required();
+  add_output(command, "--map", a->map,
+             "PNG of the cells from above, from dark blue over red to yellow by how much each sees");
+  command.add("--cell-size", a->grid.size, "side of a cube, in units of the model").show_default().in_range(1e-6, 1e9);
+  command.add("--heights", a->heights, "LOW:HIGH: one layer of cells, from and to these heights");
+  a->path.add_to(command, "of --cells corridor");
+  command.add("--reach", a->reach, "how far cells of a corridor are from its path at most")
+      .show_default()
+      .in_range(0.0, 1e9);
+  add_input(command, "--objects", a->objects,
+            "JSON file of objects, of which the sets are then: for each a list of polygons and ranges [first, count]");
+  a->read.add_to(command);
+  command.under(kTuning, [&] {
+    command.add("--piece", a->piece, "side of the pieces in which cells are culled at most: smaller ones hide more")
+        .show_default()
+        .in_range(1e-6, 1e9);
+    command.add("--cover-size", a->cover_size, "side of the coarse pictures in pixels: larger ones hide more")
+        .show_default()
+        .in_range(std::size_t{culler::kLeastCoverSide}, std::size_t{culler::kMostCoverSide});
+  });
+  command.add_flag("--json", a->json, "print the counts as JSON");
+  a->parts.add_to(command, "bake");
+  command.run_on_all_ranks([a, command] {
+    a->given = command.given_but({"MODEL", "--out", "--map", "--json", "--quiet", "--parts", "--resume"});
+    bake(*a);
+  });
+}
+
+}  // namespace occlude::cli
