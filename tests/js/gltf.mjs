@@ -69,7 +69,8 @@ export function glbOf(meshes, next) {
     const at = k => vertices.filter((_, i) => i % 3 === k);
     const [min, max] = [Math.min, Math.max].map(pick => [0, 1, 2].map(k => at(k).reduce((a, b) => pick(a, b))));
     const position = add(vertices, 34962, {componentType: 5126, count: vertices.length / 3, type: "VEC3", min, max});
-    return {attributes: {POSITION: position}, indices: add(indices, 34963, {componentType: 5125, count: indices.length, type: "SCALAR"}), material};
+    const loop = add(indices, 34963, {componentType: 5125, count: indices.length, type: "SCALAR"});
+    return {attributes: {POSITION: position}, indices: loop, material};
   });
   const json = {
     asset: {version: "2.0"},
@@ -77,7 +78,10 @@ export function glbOf(meshes, next) {
     scenes: [{nodes: [0]}],
     nodes: [{rotation: [-Math.SQRT1_2, 0, 0, Math.SQRT1_2], children: meshes.map((_, i) => i + 1)}, ...meshes.map((_, mesh) => ({mesh}))],
     meshes: primitives.map(primitive => ({primitives: [primitive]})),
-    materials: meshes.map(() => ({doubleSided: true, pbrMetallicRoughness: {baseColorFactor: [next(), next(), next(), 1], metallicFactor: 0}})),
+    materials: meshes.map(() => {
+      const pbrMetallicRoughness = {baseColorFactor: [next(), next(), next(), 1], metallicFactor: 0};
+      return {doubleSided: true, pbrMetallicRoughness};
+    }),
     buffers: [{byteLength: parts.reduce((sum, part) => sum + part.byteLength, 0)}],
     bufferViews: views,
     accessors,

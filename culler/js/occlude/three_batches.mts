@@ -30,9 +30,10 @@ export class BatchHiding {
   readonly #batch: THREE.BatchedMesh;
   readonly #before: Hook;
   readonly #after: Hook;
-  /** Those that are invisible now, and those that were around what is drawn inside of something else: maps of shadows. */
+  /** Those that are invisible now. */
   #hidden: readonly number[] = [];
-  readonly #around: (readonly number[])[] = [];
+  /** Drawings that have begun, one inside of the other as maps of shadows are, and what was invisible before each. */
+  readonly #begun: {readonly given: Parameters<Hook>; readonly hidden: readonly number[]}[] = [];
 
   constructor(batch: THREE.BatchedMesh, hiddenFrom: (camera: THREE.Camera) => readonly number[]) {
     const {onBeforeRender: before, onAfterRender: after} = batch;
@@ -40,14 +41,17 @@ export class BatchHiding {
     this.#before = (...given) => {
       // Without a scene it is drawn into the map of a shadow, and nobody says when that is done.
       if (given[1] !== null && batch.onAfterRender === this.#after) {
-        this.#around.push(this.#hidden);
+        this.#begun.push({given, hidden: this.#hidden});
         this.#hide(hiddenFrom(given[2]));
       }
       before.apply(batch, given);
     };
     this.#after = (...given) => {
-      this.#hide(this.#around.pop() ?? []);
+      this.#hide(this.#begun.pop()?.hidden ?? []);
       after.apply(batch, given);
+      // WebGPURenderer before 0.187 would go on with the list of the map of a shadow.
+      const around = this.#begun.at(-1);
+      if (around !== undefined) before.apply(batch, around.given);
     };
     hooks.add(this.#before);
     batch.onBeforeRender = this.#before;
@@ -56,7 +60,7 @@ export class BatchHiding {
 
   /** Shows what a frame has left invisible that threw. */
   reset(): void {
-    this.#around.length = 0;
+    this.#begun.length = 0;
     this.#hide([]);
   }
 

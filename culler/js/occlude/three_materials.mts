@@ -12,15 +12,19 @@ export type Asked = Map<THREE.Material, Hiding>;
 
 export function hidingOf(mesh: THREE.Mesh, asked: Asked): Hiding {
   if (!isPlain(mesh)) return "own";
-  if (!Array.isArray(mesh.material)) return isWhole(mesh.geometry) ? hidingOfMaterial(mesh.material, asked) : hiddenAlone(mesh.material, asked);
-  const all = mesh.material.map(material => hidingOfMaterial(material, asked));
-  if (all.includes("own")) return "own";
-  const [group] = mesh.geometry.groups;
-  const isOne = mesh.geometry.groups.length === 1 && group!.start === 0 && group!.count >= lengthOf(mesh.geometry);
-  return isOne && isWhole(mesh.geometry) ? (all[group!.materialIndex ?? 0] ?? "none") : "none";
+  const {geometry, material} = mesh;
+  if (Array.isArray(material)) return hidingOfGroups(geometry, material.map(each => hidingOfMaterial(each, asked)));
+  const hiding = hidingOfMaterial(material, asked);
+  return hiding === "own" || isWhole(geometry) ? hiding : "none";
 }
 
-const hiddenAlone = (material: THREE.Material, asked: Asked) => (hidingOfMaterial(material, asked) === "own" ? "own" : "none");
+/** With several materials a mesh hides only if one of them draws all of it. */
+function hidingOfGroups(geometry: THREE.BufferGeometry, hidings: readonly Hiding[]): Hiding {
+  if (hidings.includes("own")) return "own";
+  const {groups: [group, ...others]} = geometry;
+  const isOne = group !== undefined && others.length === 0 && group.start === 0 && group.count >= lengthOf(geometry);
+  return isOne && isWhole(geometry) ? (hidings[group.materialIndex ?? 0] ?? "none") : "none";
+}
 
 const lengthOf = ({index, attributes}: THREE.BufferGeometry) => index?.count ?? attributes.position!.count;
 

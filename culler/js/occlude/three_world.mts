@@ -2,7 +2,9 @@
 // Meshes of three.js as objects and occluders of a scene of the package.
 import * as THREE from "three";
 
-import {slot, slots, type Camera, type CullOptions, type ObjectId, type Occlude, type OccluderId, type Scene, type View} from "./occlude.mjs";
+import {
+  slot, slots, type Camera, type CullOptions, type ObjectId, type Occlude, type OccluderId, type Scene, type View,
+} from "./occlude.mjs";
 import {instancesOf, placesOf} from "./three_batches.mjs";
 import type {Hiding} from "./three_materials.mjs";
 import {hasVersions, isSame, Shapes, versionsOf, whole, type Range, type Shape, type Versions} from "./three_shapes.mjs";
