@@ -45,7 +45,7 @@ export async function compare({kind, isReversed, picture}, scene, camera, occlus
   const result = {kind, isReversed, frames: 0, different: 0, triangles: 0, allTriangles: 0, colours: 0};
   await picture(scene, camera); // the first one of WebGPURenderer 0.185 lacks some shadows
   for (let f = 0; f < frames; ++f) {
-    move(f);
+    await move(f);
     occlusion.update(camera);
     const culled = await picture(scene, camera), all = await picture(scene, camera.clone());
     const colours = new Set();

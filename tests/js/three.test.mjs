@@ -231,6 +231,36 @@ function batchBehindWall() {
   return {scene, camera, batch, cube, ball, add, wall, things, occlusion: new Occlusion(occlude, scene)};
 }
 
+test("geometries that are freed once the renderer has them: what was seen before that is kept", () => {
+  const {scene, camera, wall, thing, occlusion} = behindWall();
+  const isHidden = () => (occlusion.update(camera), !render(scene, camera).drawn.has(thing));
+  assert.equal(isHidden(), true);
+  delete wall.geometry.getAttribute("position").array;
+  wall.geometry.index.array = null;
+  assert.equal(isHidden(), true);
+  wall.position.y = 30;
+  assert.equal(isHidden(), false);
+  wall.position.y = 0;
+  wall.material.transparent = true;
+  assert.equal(isHidden(), false);
+  wall.material.transparent = false;
+  assert.equal(isHidden(), true);
+  wall.visible = false;
+  assert.equal(isHidden(), false);
+  wall.visible = true;
+  assert.equal(isHidden(), false, "nobody can tell any more what it is");
+  assert.equal(render(scene, camera).drawn.has(wall), true);
+});
+
+test("boxes of what is still to be loaded", () => {
+  const {scene, camera, occlusion} = behindWall();
+  const at = (x, z) => new THREE.Box3(new THREE.Vector3(x, 0, z), new THREE.Vector3(x + 1, 1, z + 1));
+  assert.equal(occlusion.isHidden(at(0, -20), camera), false, "before the first update");
+  occlusion.update(camera);
+  assert.deepEqual([[0, -20], [0, -5], [0, 5], [18, -20]].map(([x, z]) => occlusion.isHidden(at(x, z), camera)), [true, false, true, false]);
+  assert.equal(render(scene, camera).drawn.size, 1);
+});
+
 test("batched meshes hide by each instance, and each is hidden", () => {
   const {scene, camera, batch, cube, add, wall, things, occlusion} = batchBehindWall();
   const drawnAfter = change => {

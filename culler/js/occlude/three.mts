@@ -100,6 +100,12 @@ export class Occlusion {
     return this.#found.get(camera)?.hidden.count ?? 0;
   }
 
+  /** Whether the box, such as of something that is still to be loaded, was hidden or out of view in the last update of the camera. */
+  isHidden({min, max}: THREE.Box3, camera: THREE.Camera): boolean {
+    const found = this.#found.get(camera);
+    return found !== undefined && found.view.visibility([...min.toArray(), ...max.toArray()])[0] !== "visible";
+  }
+
   /** Everything is as it was before. */
   dispose(): void {
     this.#scene.onBeforeRender = this.#before;

@@ -77,8 +77,15 @@ export function hasVersions({index, attributes: {position}}: THREE.BufferGeometr
   return isSamePosition && versions[3] === index && versions[4] === index?.version && versions[5] === index?.count;
 }
 
+/** Vertices that were freed once the renderer had them are nowhere. */
+const nowhere: Content = {vertices: new Float64Array(3).fill(NaN), indices: new Uint32Array(0)};
+
+const isFreed = (attribute: THREE.BufferAttribute | THREE.InterleavedBufferAttribute) =>
+  !("data" in attribute ? attribute.data : attribute).array?.length;
+
 function contentOf(geometry: THREE.BufferGeometry, {start, count}: Range, isReversed: boolean): Content {
   const {index} = geometry, position = geometry.attributes.position!;
+  if (isFreed(position) || (index !== null && isFreed(index))) return nowhere;
   const triangles = Math.floor(Math.min(count, (index?.count ?? position.count) - start) / 3);
   const indices = Uint32Array.from({length: 3 * triangles}, (_, i) => {
     const at = start + (isReversed && i % 3 !== 0 ? i + 3 - 2 * (i % 3) : i);

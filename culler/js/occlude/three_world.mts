@@ -60,19 +60,19 @@ export class World {
   }
 
   see(mesh: THREE.Mesh, hiding: Hiding): void {
-    if (this.#seen.get(mesh)?.hiding !== hiding) this.forget(mesh);
-    let seen = this.#seen.get(mesh);
-    const mask = mesh.layers.mask >>> 0;
-    if (seen === undefined) {
+    const mask = mesh.layers.mask >>> 0, before = this.#seen.get(mesh);
+    let seen = before;
+    if (seen?.hiding !== hiding) {
       seen = {mesh, hiding, things: [], matrix: new THREE.Matrix4(), versions: [], placing: unplaced, mask};
       this.#seen.set(mesh, seen);
     }
     if (seen.mask !== mask) this.#mask(seen, mask);
     this.#seeParts(seen);
+    if (before !== undefined && before !== seen) this.#forget(before); // last, as its shapes may still be needed
   }
 
   forget(mesh: THREE.Mesh): void {
-    for (const thing of this.#seen.get(mesh)?.things ?? []) if (thing) this.#remove(thing);
+    this.#forget(this.#seen.get(mesh)!);
     this.#seen.delete(mesh);
   }
 
@@ -100,6 +100,10 @@ export class World {
   dispose(): void {
     for (const mesh of [...this.#seen.keys()]) this.forget(mesh);
     this.#scene.dispose();
+  }
+
+  #forget({things}: Seen): void {
+    for (const thing of things) if (thing) this.#remove(thing);
   }
 
   #mask(seen: Seen, mask: number): void {
