@@ -4,7 +4,8 @@ import {existsSync, readFileSync} from "node:fs";
 import {fileURLToPath} from "node:url";
 
 export const project = fileURLToPath(new URL("../..", import.meta.url));
-export const packageFolder = `${project}culler/js`;
+/** OCCLUDE_JS_PACKAGE: a copy of it with other modules. */
+export const packageFolder = process.env.OCCLUDE_JS_PACKAGE ?? `${project}culler/js`;
 export const dist = `${packageFolder}/dist`;
 
 /** The module of the package. */

@@ -15,7 +15,7 @@ const occlude = await load();
 
 /** Asks as WebGLRenderer does: each visible object once for the picture, and then again for the map of a shadow. */
 function render(scene, camera, renderer = {clippingPlanes: []}) {
-  const drawn = new Set(), shadows = new Set();
+  const drawn = new Set(), shadows = new Set(), instances = new Map(), shadowInstances = new Map();
   const visit = (object, found) => {
     if (!object.visible) return;
     if (object.layers.test(camera.layers)) {
@@ -24,13 +24,25 @@ function render(scene, camera, renderer = {clippingPlanes: []}) {
     }
     for (const child of object.children) visit(child, found);
   };
+  const instancesOf = batch => new Set(batch._indirectTexture.image.data.subarray(0, batch._multiDrawCount));
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
   scene.onBeforeRender(renderer, scene, camera);
   visit(scene, drawn);
   visit(scene, shadows);
+  for (const object of shadows) {
+    if (!object.isBatchedMesh) continue;
+    object.onBeforeShadow(renderer, object, camera, camera.clone(), object.geometry, object.material);
+    shadowInstances.set(object, instancesOf(object));
+    object.onAfterShadow(renderer, object, camera, camera.clone(), object.geometry, object.material);
+  }
+  for (const object of drawn) {
+    object.onBeforeRender(renderer, scene, camera, object.geometry, object.material);
+    if (object.isBatchedMesh) instances.set(object, instancesOf(object));
+    object.onAfterRender(renderer, scene, camera, object.geometry, object.material);
+  }
   scene.onAfterRender(renderer, scene, camera);
-  return {drawn, shadows};
+  return {drawn, shadows, instances, shadowInstances};
 }
 
 const cubes = () => new THREE.BoxGeometry(1, 1, 1);
@@ -104,8 +116,14 @@ test("what may reach out of its box, or shows through, is always drawn", () => {
   morphing.geometry.morphAttributes.position = [morphing.geometry.getAttribute("position")];
   const own = new THREE.Mesh(cubes(), new THREE.ShaderMaterial()), patched = mesh();
   patched.material.onBeforeCompile = () => {};
+  const billboard = mesh();
+  billboard.onBeforeRender = () => billboard.matrixWorld.setPosition(0, 0, -2);
+  const counted = mesh(), fed = new THREE.Mesh(new THREE.InstancedBufferGeometry().copy(cubes()), new THREE.MeshBasicMaterial());
+  counted.count = 3; // of WebGPURenderer
+  const moved = mesh();
+  Object.assign(moved.material, {isNodeMaterial: true, depthNode: {}});
   const ways = [{depthTest: false}, {wireframe: true}, {polygonOffset: true}, {stencilWrite: true}];
-  const all = [skinned, morphing, own, patched, ...ways.map(way => mesh(way))];
+  const all = [skinned, morphing, own, patched, billboard, counted, fed, moved, ...ways.map(way => mesh(way))];
   for (const each of all) each.position.z = -20, scene.add(each);
   occlusion.update(camera);
   const {drawn} = render(scene, camera);
@@ -155,6 +173,169 @@ test("groups come, go and move; geometries and instances change; layers", () => 
   assert.equal(render(scene, camera).drawn.has(many), false);
 });
 
+test("nothing hides that is drawn in part, or not at all", () => {
+  const {scene, camera, wall, thing, occlusion} = behindWall();
+  const isHidden = () => (occlusion.update(camera), !render(scene, camera).drawn.has(thing));
+  const {geometry, material} = wall;
+  geometry.setDrawRange(0, 6);
+  assert.equal(isHidden(), false);
+  geometry.setDrawRange(0, Infinity);
+  assert.equal(isHidden(), true);
+  wall.material = [material];
+  assert.equal(isHidden(), false, "a box has a group for each side");
+  geometry.clearGroups();
+  geometry.addGroup(0, 36, 0);
+  assert.equal(isHidden(), true);
+  geometry.groups[0].count = 30;
+  assert.equal(isHidden(), false);
+  geometry.groups[0].count = 36;
+  geometry.groups[0].materialIndex = 1;
+  assert.equal(isHidden(), false);
+  wall.material = material;
+  assert.equal(isHidden(), true);
+  const other = geometry.getAttribute("position").clone();
+  other.array.fill(0);
+  geometry.setAttribute("position", other);
+  assert.equal(isHidden(), false, "another buffer of the same size and version");
+  wall.geometry = cubes();
+  assert.equal(isHidden(), true);
+  wall.matrixAutoUpdate = false;
+  wall.matrix.elements[3] = 0.1;
+  wall.matrixWorldNeedsUpdate = true;
+  assert.equal(isHidden(), false, "a matrix that is nothing that places");
+  wall.matrix.elements[3] = 0;
+  wall.matrixWorldNeedsUpdate = true;
+  assert.equal(isHidden(), true);
+  for (const [group, isHiding] of [["isClippingGroup", false], ["isBundleGroup", false], ["isGroup", true]]) {
+    const made = new THREE.Group();
+    made[group] = true;
+    scene.add(made);
+    made.add(wall);
+    assert.equal(isHidden(), isHiding, group);
+  }
+});
+
+/** A batch of cubes: a wall at z = -10, and five behind it. */
+function batchBehindWall() {
+  const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(60, 16 / 9, 0.1, 100);
+  const batch = new THREE.BatchedMesh(20, 1000, 2000, new THREE.MeshBasicMaterial());
+  const cube = batch.addGeometry(cubes()), ball = batch.addGeometry(new THREE.SphereGeometry(0.5, 8, 6));
+  const add = (geometry, matrix) => {
+    const id = batch.addInstance(geometry);
+    batch.setMatrixAt(id, matrix);
+    return id;
+  };
+  const wall = add(cube, new THREE.Matrix4().makeScale(12, 12, 1).setPosition(0, 0, -10));
+  const things = [0, 1, 2, 3, 4].map(i => add(i % 2 ? ball : cube, new THREE.Matrix4().setPosition(i - 2, 0, -20)));
+  scene.add(batch);
+  return {scene, camera, batch, cube, ball, add, wall, things, occlusion: new Occlusion(occlude, scene)};
+}
+
+test("geometries that are freed once the renderer has them: what was seen before that is kept", () => {
+  const {scene, camera, wall, thing, occlusion} = behindWall();
+  const isHidden = () => (occlusion.update(camera), !render(scene, camera).drawn.has(thing));
+  assert.equal(isHidden(), true);
+  delete wall.geometry.getAttribute("position").array;
+  wall.geometry.index.array = null;
+  assert.equal(isHidden(), true);
+  wall.position.y = 30;
+  assert.equal(isHidden(), false);
+  wall.position.y = 0;
+  wall.material.transparent = true;
+  assert.equal(isHidden(), false);
+  wall.material.transparent = false;
+  assert.equal(isHidden(), true);
+  wall.visible = false;
+  assert.equal(isHidden(), false);
+  wall.visible = true;
+  assert.equal(isHidden(), false, "nobody can tell any more what it is");
+  assert.equal(render(scene, camera).drawn.has(wall), true);
+});
+
+test("boxes of what is still to be loaded", () => {
+  const {scene, camera, occlusion} = behindWall();
+  const at = (x, z) => new THREE.Box3(new THREE.Vector3(x, 0, z), new THREE.Vector3(x + 1, 1, z + 1));
+  assert.equal(occlusion.isHidden(at(0, -20), camera), false, "before the first update");
+  occlusion.update(camera);
+  assert.deepEqual([[0, -20], [0, -5], [0, 5], [18, -20]].map(([x, z]) => occlusion.isHidden(at(x, z), camera)), [true, false, true, false]);
+  assert.equal(render(scene, camera).drawn.size, 1);
+});
+
+test("batched meshes hide by each instance, and each is hidden", () => {
+  const {scene, camera, batch, cube, add, wall, things, occlusion} = batchBehindWall();
+  const drawnAfter = change => {
+    change();
+    occlusion.update(camera);
+    return [...render(scene, camera).instances.get(batch) ?? []].sort();
+  };
+  const all = [wall, ...things];
+  assert.deepEqual([...render(scene, camera).instances.get(batch)].sort(), all, "before the first update");
+  assert.deepEqual(drawnAfter(() => {}), [wall]);
+  assert.equal(occlusion.hiddenFrom(camera), 5);
+  const {instances, shadowInstances} = render(scene, camera);
+  assert.deepEqual([[...instances.get(batch)], [...shadowInstances.get(batch)].sort()], [[wall], all]);
+  assert.deepEqual(all.map(id => batch.getVisibleAt(id)), all.map(() => true), "for the application nothing is changed");
+  assert.deepEqual([...render(scene, camera.clone()).instances.get(batch)].sort(), all, "another camera");
+  assert.deepEqual(drawnAfter(() => batch.setVisibleAt(things[1], false)), [wall]);
+  assert.equal(batch.getVisibleAt(things[1]), false);
+  assert.deepEqual(drawnAfter(() => batch.setVisibleAt(wall, false)), things.filter((_, i) => i !== 1), "the wall is invisible");
+  assert.deepEqual(drawnAfter(() => batch.setVisibleAt(wall, true).setVisibleAt(things[1], true)), [wall]);
+  assert.deepEqual(drawnAfter(() => batch.setMatrixAt(things[0], new THREE.Matrix4().setPosition(0, 2, -5))), [wall, things[0]]);
+  assert.deepEqual(drawnAfter(() => batch.deleteInstance(wall)), things);
+  let other;
+  assert.deepEqual(drawnAfter(() => (other = add(cube, new THREE.Matrix4().setPosition(0, 0, -30)))), things);
+  assert.equal(other, wall, "ids are given anew");
+  assert.deepEqual(drawnAfter(() => batch.setMatrixAt(other, new THREE.Matrix4().makeScale(12, 12, 1).setPosition(0, 0, -10))),
+    [other, things[0]]);
+  assert.deepEqual(drawnAfter(() => batch.position.setZ(-40)), [other, things[0]]);
+  assert.deepEqual(drawnAfter(() => (batch.position.z = 90)), [], "all of it is behind the eye");
+  assert.ok(!render(scene, camera).drawn.has(batch), "as a whole");
+  assert.deepEqual(drawnAfter(() => (batch.position.z = 0)), [other, things[0]]);
+});
+
+test("batched meshes: geometries that change", () => {
+  const {scene, camera, batch, cube, ball, wall, things, occlusion} = batchBehindWall();
+  const drawnAfter = change => {
+    change();
+    occlusion.update(camera);
+    return [...render(scene, camera).instances.get(batch) ?? []].sort();
+  };
+  assert.deepEqual(drawnAfter(() => {}), [wall]);
+  const flat = new THREE.BoxGeometry(1, 0.01, 1);
+  assert.deepEqual(drawnAfter(() => batch.setGeometryAt(cube, flat)), [wall, things[1], things[3]], "flat ones behind it are hidden");
+  assert.deepEqual(drawnAfter(() => batch.setGeometryAt(cube, cubes())), [wall]);
+  assert.deepEqual(drawnAfter(() => batch.setGeometryIdAt(wall, ball).setMatrixAt(wall, new THREE.Matrix4().setPosition(0, 4, -10))),
+    [wall, ...things], "a ball aside hides nothing");
+  assert.deepEqual(drawnAfter(() => batch.setGeometryIdAt(wall, cube).setMatrixAt(wall, new THREE.Matrix4().makeScale(12, 12, 1)
+    .setPosition(0, 0, -10))), [wall]);
+  assert.deepEqual(drawnAfter(() => batch.addGeometry(new THREE.ConeGeometry(1, 2, 5))), [wall]);
+  assert.deepEqual(drawnAfter(() => batch.deleteGeometry(ball)), [wall]);
+  assert.deepEqual(drawnAfter(() => batch.optimize()), [wall]);
+  assert.deepEqual(drawnAfter(() => batch.setVisibleAt(wall, false)), things.filter((_, i) => i % 2 === 0));
+});
+
+test("a batch whose drawing throws, or that the application draws by itself, is as it was", () => {
+  const {scene, camera, batch, wall, things, occlusion} = batchBehindWall();
+  occlusion.update(camera);
+  scene.onBeforeRender({clippingPlanes: []}, scene, camera);
+  batch.onBeforeRender({}, scene, camera, batch.geometry, batch.material);
+  assert.equal(batch.getVisibleAt(things[0]), false, "while it is drawn");
+  occlusion.update(camera);
+  assert.equal(batch.getVisibleAt(things[0]), true);
+  batch.onAfterRender = () => {};
+  assert.equal(render(scene, camera).instances.get(batch).size, 6, "nobody would make them visible again");
+  const {onBeforeRender} = THREE.BatchedMesh.prototype;
+  batch.onBeforeRender = (...given) => onBeforeRender.apply(batch, given);
+  occlusion.update(camera);
+  assert.equal(render(scene, camera).instances.get(batch).size, 6);
+  delete batch.onBeforeRender, delete batch.onAfterRender;
+  occlusion.update(camera);
+  assert.deepEqual([...render(scene, camera).instances.get(batch)], [wall]);
+  scene.remove(batch);
+  occlusion.update(camera);
+  assert.equal(Object.hasOwn(batch, "onBeforeRender") || Object.hasOwn(batch, "onAfterRender"), false);
+});
+
 test("levels of detail are those of the camera", () => {
   const {scene, camera, wall, thing, occlusion} = behindWall();
   scene.remove(wall);
@@ -194,15 +375,20 @@ test("dispose leaves all as it was", () => {
   const scene = new THREE.Scene(), calls = [];
   const before = () => calls.push("before");
   scene.onBeforeRender = before;
-  scene.add(mesh({}, [10, 10, 1], [0, 0, -10]), mesh());
+  const {batch, things} = batchBehindWall();
+  scene.add(mesh({}, [10, 10, 1], [0, 0, -10]), mesh(), batch);
   const camera = new THREE.PerspectiveCamera(), occlusion = new Occlusion(occlude, scene);
   occlusion.update(camera);
-  assert.equal(render(scene, camera).drawn.size, 1);
+  assert.equal(render(scene, camera).drawn.size, 2);
   assert.deepEqual(calls, ["before"]);
   occlusion.dispose();
-  assert.equal(render(scene, camera).drawn.size, 2);
+  const {drawn, instances} = render(scene, camera);
+  assert.deepEqual([drawn.size, instances.get(batch).size], [3, things.length + 1]);
   assert.equal(scene.onBeforeRender, before);
-  scene.traverse(object => assert.deepEqual(Object.keys(object.layers), ["mask"]));
+  scene.traverse(object => {
+    assert.deepEqual(Object.keys(object.layers), ["mask"]);
+    assert.equal(Object.hasOwn(object, "onBeforeRender") || Object.hasOwn(object, "onAfterRender"), object === scene);
+  });
 });
 
 test("layers that several meshes share are left alone", () => {
