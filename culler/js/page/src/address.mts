@@ -61,7 +61,9 @@ export function format({scene, model, place, before, settings}: Address): string
     ["clay", settings.isClay ? "1" : undefined],
     ["catch", settings.isCatching ? "1" : undefined],
   ];
-  return `#${named.flatMap(([name, value]) => (value === undefined ? [] : [`${name}=${encodeURIComponent(value).replaceAll("%2C", ",")}`])).join("&")}`;
+  const encoded = (value: string) => encodeURIComponent(value).replaceAll("%2C", ",");
+  const said = named.flatMap(([name, value]) => (value === undefined ? [] : [`${name}=${encoded(value)}`]));
+  return `#${said.join("&")}`;
 }
 
 /** All digits: what a place shows may hang on the last. */

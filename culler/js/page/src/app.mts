@@ -10,13 +10,12 @@ import {everythingIn, type Frame} from "./frame.mjs";
 import {placeOf} from "./flight.mjs";
 import {Judge, type Catch, type Scores} from "./judge.mjs";
 import {viewsOf, type Views} from "./layout.mjs";
-import {objectCount, triangleCount, type Model} from "./model.mjs";
+import {cornerOf, isSeeThrough, objectCount, triangleCount, type Model} from "./model.mjs";
 import {Outside} from "./outside.mjs";
 import {Painter, type Line, type Look, type Viewport} from "./painter.mjs";
 import {kRate, Recorder} from "./path.mjs";
 import {add, dot, scale, type Point} from "./points.mjs";
 import {crosses} from "./proof.mjs";
-import {cornerOf, isSeeThrough} from "./model.mjs";
 import {Walker} from "./walker.mjs";
 import {Asker, type Answer} from "./why.mjs";
 
@@ -108,7 +107,7 @@ export class App {
     this.share = 0;
     this.walker.place = place ?? placeOf(model.flight, 0);
     this.setFlying(place === undefined);
-    this.outside.restart(Math.min(0.45 * model.box.size, 60 * this.unit));
+    this.outside.restart(Math.min(0.6 * model.box.size, 90 * this.unit));
     this.shows.cut = isRoofed(model, this.walker.place.eye, this.unit);
     this.forget();
     this.#step(0);
@@ -383,7 +382,7 @@ export class App {
   /** What the camera sees, and the edges of what hides what was picked. */
   #frustum(): Line[] {
     const {camera} = this, {right, up, forward} = axesOf(camera), [wide, high] = halfSizeOf(camera);
-    const far = Math.min(0.25 * this.model.box.size, 25 * this.unit);
+    const far = Math.min(0.25 * this.model.box.size, 35 * this.unit);
     const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) =>
       add(camera.eye, scale(add(forward, add(scale(right, x! * wide), scale(up, y! * high))), far)));
     const view = corners.flatMap((corner, i): Line[] => [
@@ -410,7 +409,8 @@ export function median(numbers: readonly number[]): number {
 function isRoofed(model: Model, eye: Point, metre: number): boolean {
   const above = add(eye, scale(model.up, 20 * metre));
   for (let t = 0; t < triangleCount(model); ++t) {
-    if (!isSeeThrough(model, t) && crosses(eye, above, cornerOf(model, t, 0), cornerOf(model, t, 1), cornerOf(model, t, 2)) !== false) return true;
+    if (isSeeThrough(model, t)) continue;
+    if (crosses(eye, above, cornerOf(model, t, 0), cornerOf(model, t, 1), cornerOf(model, t, 2)) !== false) return true;
   }
   return false;
 }

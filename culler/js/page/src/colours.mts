@@ -13,5 +13,3 @@ export const pickedColour = rgb("#ffc400");
 export const pale = {light: rgb("#c5ccd6"), dark: rgb("#4d545e")};
 export const haze = {light: rgb("#e9eef4"), dark: rgb("#161b22")};
 export const sky = {light: rgb("#b8d0ec"), dark: rgb("#1d2a3d")};
-/** Of clay. */
-export const clay: Rgb = [0.8, 0.76, 0.7];

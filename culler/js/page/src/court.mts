@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // "Catch it lying": who was caught, and the scores.
-import type {App} from "./app.mjs";
+import {median, type App} from "./app.mjs";
 import {byId, grouped, onClick, press, tell} from "./elements.mjs";
 import {newScores, type AccusedKey, type Catch, type Score, type Scores} from "./judge.mjs";
 import {cover} from "./layout.mjs";
@@ -76,6 +76,7 @@ export class Court {
   onFrame(): void {
     const {caught, views, canvas, lens} = this.#app;
     for (const id of ["card", "mark", "lens"]) byId(id).hidden = caught === undefined;
+    document.body.classList.toggle("caught", caught !== undefined);
     if (caught === undefined) return;
     const {ratio, eye} = views, [x, y] = caught.at;
     Object.assign(byId("mark").style, {
@@ -85,9 +86,9 @@ export class Court {
     const {title} = accused.find(({key}) => key === caught.accused)!, {model} = this.#app;
     byId("card-title").textContent = `Caught: ${title}`;
     byId("card-text").textContent =
-      `It leaves out “${model.names[caught.object]!}”, which shows at ${grouped(caught.pixels)} pixel${caught.pixels === 1 ? "" : "s"} of this picture. ` +
-      `The ray from the eye through the marked one reaches triangle ${caught.proof.triangle} and misses all ${grouped(caught.proof.missed)} others that ` +
-      "could hide it. Each sign in this proof is beyond what rounding can change.";
+      `It leaves out “${model.names[caught.object]!}”, which shows at ${pixelsOf(caught)} of this picture. The ray from the eye ` +
+      `through the marked one reaches triangle ${caught.proof.triangle} and misses all ${grouped(caught.proof.missed)} others ` +
+      "that could hide it. Each sign in this proof is beyond what rounding can change.";
   }
 
   /** Judges stretches of the flights of all scenes, without a stop. */
@@ -130,8 +131,8 @@ export class Court {
       const name = elementOf("th", title);
       name.title = says;
       row.append(name, ...of.map((score, i) => this.#cellOf(score, named[i]![0])));
-      const frames = of.reduce((sum, score) => sum + score.frames, 0), time = of.reduce((sum, score) => sum + score.milliseconds, 0);
-      row.append(elementOf("td", frames > 0 ? (time / frames).toFixed(1) : "–"));
+      const times = of.flatMap(score => score.times);
+      row.append(elementOf("td", times.length > 0 ? median(times).toFixed(1) : "–"));
     }
   }
 
@@ -148,9 +149,13 @@ export class Court {
   }
 }
 
-export function copyLink(address: string): void {
+const pixelsOf = ({pixels}: Catch): string => (pixels === 1 ? "1 pixel" : `${grouped(pixels)} pixels`);
+
+/** Copies the address, and says so. */
+export function copyLink(address: string, more = ""): void {
   history.replaceState(null, "", address);
-  navigator.clipboard?.writeText(location.href).then(() => tell("The link is copied."), () => tell("The link is in the address bar."));
+  const copied = navigator.clipboard?.writeText(location.href) ?? Promise.reject(new Error("no clipboard"));
+  copied.then(() => tell(`The link is copied.${more}`), () => tell(`The link is in the address bar.${more}`));
 }
 
 function elementOf(kind: "td" | "th" | "dt" | "dd", text: string): HTMLElement {

@@ -32,13 +32,14 @@ export interface Score {
   frames: number;
   wrongFrames: number;
   wrongPixels: number;
-  milliseconds: number;
+  /** What each frame took, in milliseconds. */
+  readonly times: number[];
   first: Catch | undefined;
 }
 
 export type Scores = Record<AccusedKey, Score>;
 export const newScores = (): Scores => {
-  const zero = (): Score => ({frames: 0, wrongFrames: 0, wrongPixels: 0, milliseconds: 0, first: undefined});
+  const zero = (): Score => ({frames: 0, wrongFrames: 0, wrongPixels: 0, times: [], first: undefined});
   return {occlude: zero(), rays: zero(), pyramid: zero(), last: zero()};
 };
 
@@ -71,7 +72,7 @@ export class Judge {
     const hold = (accused: AccusedKey, isHidden: (triangle: number) => boolean, time: number, hidden?: Uint8Array) => {
       const score = scores[accused], found = this.#confront(accused, shown, isHidden, hidden);
       score.frames += 1;
-      score.milliseconds += time;
+      score.times.push(time);
       if (found === undefined) return;
       score.wrongFrames += 1;
       score.wrongPixels += found.pixels;
@@ -92,7 +93,7 @@ export class Judge {
   }
 
   /** Of what is hidden and shows, that which shows most, if that can be proved. */
-  #confront(accused: AccusedKey, shown: Picture, isHidden: (triangle: number) => boolean, hidden: Uint8Array | undefined): Catch | undefined {
+  #confront(accused: AccusedKey, shown: Picture, isHidden: (triangle: number) => boolean, hidden?: Uint8Array): Catch | undefined {
     const pixelsOf = new Map<number, number[]>();
     shown.triangles.forEach((number, pixel) => {
       if (number === 0 || !isHidden(number - 1)) return;

@@ -41,6 +41,6 @@ export function showSplit(views: Views, canvas: HTMLCanvasElement): void {
   const isBeside = outside.x > 0, thin = 2 * views.ratio;
   const line = isBeside ? {...outside, x: outside.x - thin / 2, width: thin} : {...eye, y: eye.y - thin / 2, height: thin};
   cover(split, line, views, canvas);
-  cover(name, {...outside, x: outside.x + 8 * views.ratio, y: outside.y + outside.height - 30 * views.ratio, width: 0, height: 0}, views, canvas);
+  cover(name, outside, views, canvas);
   Object.assign(name.style, {width: "auto", height: "auto"});
 }

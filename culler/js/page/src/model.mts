@@ -5,7 +5,6 @@ import type {Point} from "./points.mjs";
 /** A camera of the file. */
 export interface NamedPlace extends Place {
   readonly name: string;
-  readonly fovY: number;
 }
 
 /** A way through a model: as long as it takes, in seconds. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws a model: pictures for readers, and pictures of triangles' numbers for judges.
 import {projectionOf, type Camera} from "./camera.mjs";
-import {clay, haze, hiddenColour, pale, sky, type Rgb} from "./colours.mjs";
+import {haze, hiddenColour, pale, sky, type Rgb} from "./colours.mjs";
 import type {Frame} from "./frame.mjs";
 import {triangleCount, type Model} from "./model.mjs";
 import type {Picture} from "./picture.mjs";
@@ -69,7 +69,8 @@ export class Painter {
   #indexed: {frame: Frame; count: number} | undefined;
 
   constructor(canvas: HTMLCanvasElement) {
-    const gl = canvas.getContext("webgl2", {antialias: false, depth: false, alpha: false, preserveDrawingBuffer: true, powerPreference: "high-performance"});
+    const how: WebGLContextAttributes = {antialias: false, depth: false, alpha: false, preserveDrawingBuffer: true};
+    const gl = canvas.getContext("webgl2", {...how, powerPreference: "high-performance"}) as WebGL2RenderingContext | null;
     if (!gl) throw new Error("this browser draws nothing by WebGL 2");
     this.#gl = gl;
     this.#colour = link(gl, shaders.colourVertices, shaders.colourFragments);
@@ -131,16 +132,16 @@ export class Painter {
   paint(viewport: Viewport, camera: Camera, look: Look): void {
     const gl = this.#gl, {width, height} = viewport;
     const target = this.#targetOf("colours", width, height);
-    this.#begin(target);
+    // Edges against the sky are mixed with that.
+    this.#begin(target, look.isDark ? haze.dark : haze.light);
     const {uniforms} = this.#use(this.#colour, camera, look.ceiling);
     gl.uniform1i(uniforms.showsFates!, Number(look.showsFates));
     gl.uniform1i(uniforms.showsClay!, Number(look.showsClay));
     gl.uniform1i(uniforms.showsHidden!, Number(look.showsHidden));
     gl.uniform1i(uniforms.showsOutOfView!, Number(look.showsOutOfView));
-    gl.uniform3fv(uniforms.clay!, clay);
     gl.uniform3fv(uniforms.hidden!, hiddenColour);
     gl.uniform3fv(uniforms.outOfView!, look.isDark ? pale.dark : pale.light);
-    gl.uniform3fv(uniforms.marked!, look.marked?.colour ?? clay);
+    gl.uniform3fv(uniforms.marked!, look.marked?.colour ?? hiddenColour);
     gl.uniform2ui(uniforms.markedRange!, look.marked?.first ?? 0, look.marked?.end ?? 0);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.#fates);
@@ -190,12 +191,12 @@ export class Painter {
     return new Uint32Array(bytes.buffer);
   }
 
-  #begin({buffer, width, height}: Target): void {
+  #begin({buffer, width, height}: Target, background: Rgb = [0, 0, 0]): void {
     const gl = this.#gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, buffer);
     gl.viewport(0, 0, width, height);
     gl.enable(gl.DEPTH_TEST);
-    gl.clearColor(0, 0, 0, 0);
+    gl.clearColor(...background, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
@@ -281,7 +282,7 @@ export class Painter {
       const made = gl.createTexture();
       gl.bindTexture(gl.TEXTURE_2D, made);
       gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
-      setFilter(gl, gl.NEAREST);
+      setFilter(gl, format === gl.RGBA8 ? gl.LINEAR : gl.NEAREST);
       return made;
     };
     gl.activeTexture(gl.TEXTURE0);

@@ -9,10 +9,12 @@ import {save} from "./path.mjs";
 import {turned} from "./read.mjs";
 import {scenes, type Scene} from "./scenes.mjs";
 
+const recordLabel = byId("record").innerHTML;
+
 /** What the sliders mean. */
 const kNoBudget = 24;
 const budgetOf = (value: number): number | undefined => (value === kNoBudget ? undefined : 0.1 * 10 ** (value / 12));
-const sliderOfBudget = (budget: number | undefined): number => (budget === undefined ? kNoBudget : Math.round(12 * Math.log10(budget / 0.1)));
+const sliderOf = (budget: number | undefined): number => (budget === undefined ? kNoBudget : Math.round(12 * Math.log10(budget / 0.1)));
 const holdOf = (value: number): number => value / 4;
 const paceOf = (value: number): number => 10 ** (value / 20);
 
@@ -35,7 +37,11 @@ export class Panel {
     this.#listenToButtons();
     this.#listenToSettings();
     onClick("open", () => byId("files").click());
-    inputOf("files").addEventListener("change", () => void doors.openFiles(inputOf("files").files ?? []));
+    const input = inputOf("files");
+    input.addEventListener("change", () => {
+      void doors.openFiles([...(input.files ?? [])]);
+      input.value = ""; // the same file may be opened again
+    });
     listenToDrops(doors);
   }
 
@@ -43,8 +49,8 @@ export class Panel {
   tellModel(): void {
     const {model, shows, source} = this.#app;
     byId("scene-name").textContent = model.name;
-    byId("about").textContent = `${model.name}: ${sizeOf(this.#app)}. W A S D or the arrows walk, Q and E go down and up, Shift is faster; drag looks around, ` +
-      "the wheel changes the speed. One finger looks, two walk. A click asks why.";
+    byId("about").textContent = `${model.name}: ${sizeOf(this.#app)}. W A S D or the arrows walk, Q and E go down and up, ` +
+      "Shift is faster; drag looks around, the wheel changes the speed. One finger looks, two walk. A click asks why.";
     inputOf("cut").checked = shows.cut;
     const select = byId<HTMLSelectElement>("scene"), isOwn = source.scene === undefined;
     select.querySelector("option[value=own]")?.remove();
@@ -53,14 +59,15 @@ export class Panel {
     byId("up-row").hidden = !isOwn;
     inputOf("up").checked = model.up[1] === 1;
     byId("cameras-row").hidden = model.cameras.length === 0;
-    byId<HTMLSelectElement>("cameras").replaceChildren(...["", ...model.cameras.map(({name}) => name)].map((name, i) => new Option(name, String(i - 1))));
+    const names = ["", ...model.cameras.map(({name}) => name)];
+    byId("cameras").replaceChildren(...names.map((name, i) => new Option(name, String(i - 1))));
   }
 
   /** All inputs as the settings are. */
   tellSettings(): void {
     const {settings, pace} = this.#app;
     document.querySelector<HTMLInputElement>(`input[name=method][value=${settings.method}]`)!.checked = true;
-    inputOf("budget").value = String(sliderOfBudget(settings.budget));
+    inputOf("budget").value = String(sliderOf(settings.budget));
     inputOf("hold").value = String(settings.hold * 4);
     inputOf("clay").checked = settings.isClay;
     press("culling", settings.isCulling);
@@ -71,7 +78,7 @@ export class Panel {
 
   tellFlight(): void {
     press("fly", this.#app.isFlying);
-    byId("fly").innerHTML = `<span aria-hidden="true">${this.#app.isFlying ? "❚❚" : "▶"}</span> Fly`;
+    byId("fly").innerHTML = `<span aria-hidden="true">${this.#app.isFlying ? "❚❚" : "▶"}</span><span class="long"> Fly</span>`;
   }
 
   tellFrame(): void {
@@ -84,7 +91,7 @@ export class Panel {
     put("hidden", frame ? grouped(counts.hidden) : "–");
     put("away", frame ? grouped(counts.outOfView) : "–");
     showSplit(views, canvas);
-    if (recorder.isOn) byId("record").textContent = `■ Save ${recorder.seconds.toFixed(0)} s`;
+    if (recorder.isOn) byId("record").textContent = `■ ${recorder.seconds.toFixed(0)} s`;
   }
 
   #listenToButtons(): void {
@@ -96,15 +103,15 @@ export class Panel {
       app.wake();
     });
     onClick("link", () => {
-      if (app.source.scene === undefined && app.source.model === undefined) tell("The link names place and settings, but a file of yours is not in it.");
-      copyLink(app.address());
+      const {scene, model} = app.source, isOwn = scene === undefined && model === undefined;
+      copyLink(app.address(), isOwn ? " Your file is not in it: who opens it must have it, too." : "");
     });
     onClick("record", () => {
       const text = app.record();
       press("record", app.recorder.isOn);
       if (text === undefined) return tell("Recording: walk or fly, then save. The file is what `occlude walk MODEL --path` takes.");
       save("path.json", text);
-      byId("record").textContent = "● Record";
+      byId("record").innerHTML = recordLabel;
     });
     const toggle = () => {
       byId("settings").hidden = !byId("settings").hidden;
@@ -137,7 +144,10 @@ export class Panel {
     listen("show-hidden", input => (shows.hidden = input.checked));
     listen("show-away", input => (shows.outOfView = input.checked));
     listen("cut", input => (shows.cut = input.checked));
-    listen("up", input => void app.open(turned(app.model, input.checked ? [0, 1, 0] : [0, 0, 1]), app.source).then(() => this.tellModel()));
+    listen("up", input => {
+      const model = turned(app.model, input.checked ? [0, 1, 0] : [0, 0, 1]);
+      void app.open(model, app.source).then(() => this.tellModel());
+    });
     byId<HTMLSelectElement>("cameras").addEventListener("change", event => {
       const place = app.model.cameras[Number((event.target as HTMLSelectElement).value)];
       if (place) app.jump(place);

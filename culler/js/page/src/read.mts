@@ -56,7 +56,8 @@ async function load(name: string, files: Files, manager: THREE.LoadingManager): 
     if (library !== undefined) loader.setMaterials(await materialsIn(await files.get(library)!.text(), manager));
     return {root: loader.parse(await blob.text()), cameras: [], up: undefined, isColoured: library !== undefined};
   }
-  const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder).setDRACOLoader(new DRACOLoader(manager).setDecoderPath("draco/"));
+  const draco = new DRACOLoader(manager).setDecoderPath("draco/");
+  const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder).setDRACOLoader(draco);
   const {scene, cameras} = await loader.parseAsync(await blob.arrayBuffer(), "");
   return {root: scene, cameras, up: [0, 1, 0], isColoured: true};
 }
@@ -99,7 +100,7 @@ function likelyUp(name: string, {box: {low, high}}: Model): Point {
 function placeOfCamera(camera: THREE.Camera, i: number): NamedPlace {
   const eye = camera.getWorldPosition(new THREE.Vector3()).toArray() as unknown as Point;
   const ahead = camera.getWorldDirection(new THREE.Vector3()).toArray() as unknown as Point;
-  return {name: nameOf(camera) || `Camera ${i + 1}`, eye, target: add(eye, ahead), fovY: camera instanceof THREE.PerspectiveCamera ? camera.fov : 60};
+  return {name: nameOf(camera) || `Camera ${i + 1}`, eye, target: add(eye, ahead)};
 }
 
 /** As in the file: of glTF the loader changes names, and keeps them aside. */

@@ -38,7 +38,8 @@ export const rivals: readonly Rival[] = [
   {
     key: "pyramid",
     title: "Depth pyramid",
-    says: `The depths of a picture ${kCoarseWidth} pixels wide, each level the greatest of four of the one before: a box behind all that it covers is left out.`,
+    says: `The depths of a picture ${kCoarseWidth} pixels wide, and of ever smaller ones with the greatest of four each: a box behind ` +
+      "all that it covers is left out.",
     hide: (model, _, {coarse}) => hiddenBehind(coarse, model),
   },
   {

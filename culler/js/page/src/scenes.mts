@@ -16,17 +16,20 @@ export interface Scene {
 
 export const scenes: readonly Scene[] = [
   {key: "town", title: "Town", make: town},
-  {key: "park", title: "Park behind palings", make: park},
-  {key: "rooms", title: "Rooms with doors ajar", make: rooms},
+  {key: "park", title: "Park", make: park},
+  {key: "rooms", title: "Rooms", make: rooms},
   {key: "forest", title: "Forest", make: forest},
-  {key: "store", title: "Store of boxes", make: store},
+  {key: "store", title: "Store", make: store},
 ];
+
+/** A point on the ground. */
+type Flat = readonly [number, number];
 
 const up: Point = [0, 0, 1];
 const kEyeHeight = 1.7;
 
 /** Somebody who goes from point to point, looking along the way. */
-function walk(points: readonly (readonly [number, number])[], speed: number, height = kEyeHeight): Flight {
+function walk(points: readonly Flat[], speed: number, height = kEyeHeight): Flight {
   const eyes = points.map(([x, y]): Point => [x, y, height]);
   const places: Place[] = [];
   let way = 0;
@@ -57,11 +60,14 @@ function headingAt(places: readonly Place[], i: number): Point {
 const finished = (builder: Builder, name: string, flightIn: () => Flight): Model =>
   builder.model({name, up, isColoured: true, cameras: [], flightIn});
 
+const hut = (at: Point, wall: Colour, roof: Colour, turn: number): Shape =>
+  new Shape().box(at, [4, 3, 2.4], wall, turn).gable([at[0], at[1], at[2] + 2.4], [4.4, 3.4, 1.4], roof, wall, turn);
+
 const pick = <T,>(from: readonly T[], next: () => number): T => from[Math.floor(next() * from.length)]!;
 const shade = ([r, g, b]: Colour, by: number): Colour => [r * by, g * by, b * by];
 
 /** A floor of tiles, so that no object is as large as the scene. */
-function floor(builder: Builder, name: string, [x0, y0]: readonly [number, number], [x1, y1]: readonly [number, number], tile: number, colour: Colour): void {
+function floor(builder: Builder, name: string, [x0, y0]: Flat, [x1, y1]: Flat, tile: number, colour: Colour): void {
   for (let x = x0; x < x1; x += tile) {
     for (let y = y0; y < y1; y += tile) {
       const [right, back] = [Math.min(x + tile, x1), Math.min(y + tile, y1)];
@@ -91,14 +97,16 @@ function town(): Model {
       for (let i = 0; i < plots; ++i) {
         for (let k = 0; k < plots; ++k) {
           if (i === 1 && k === 1) continue;
-          house(builder, [left + (i + 0.5) * wide, front + (k + 0.5) * wide, 0], wide - (next() < 0.4 ? 0.9 : 0), i !== 1 ? 0 : Math.PI / 2, next);
+          const at: Point = [left + (i + 0.5) * wide, front + (k + 0.5) * wide, 0];
+          house(builder, at, wide - (next() < 0.4 ? 0.9 : 0), i !== 1 ? 0 : Math.PI / 2, next);
         }
       }
       tree([left + side / 2, front + side / 2, 0], 5 + 3 * next(), pick(leaves, next)).addTo(builder, "Tree in a yard");
     }
   }
   for (let i = 0; i < 300; ++i) {
-    const along = (next() - 0.5) * 2 * middle, lane = Math.floor(next() * (blocks + 1)) * pitch - middle, aside = (next() < 0.5 ? -1 : 1) * (2.4 + 1.4 * next());
+    const along = (next() - 0.5) * 2 * middle, lane = Math.floor(next() * (blocks + 1)) * pitch - middle;
+    const aside = (next() < 0.5 ? -1 : 1) * (2.4 + 1.4 * next());
     const isX = next() < 0.5;
     const at: Point = isX ? [along, lane + aside, 0] : [lane + aside, along, 0];
     if (next() < 0.45) person(at, pick(clothes, next)).addTo(builder, "Passer-by");
@@ -106,12 +114,14 @@ function town(): Model {
     else lamp(at).addTo(builder, "Lamp");
   }
   const c = (i: number) => i * pitch - middle;
-  return finished(builder, "Town", () => walk([[c(1), c(1)], [c(1), c(3)], [c(4), c(3)], [c(4), c(6)], [c(6), c(6)], [c(6), c(2)], [c(2), c(2)], [c(2), c(1)], [c(1), c(1)]], 7));
+  const round = [[1, 1], [1, 3], [4, 3], [4, 6], [6, 6], [6, 2], [2, 2], [2, 1], [1, 1]] as const;
+  return finished(builder, "Town", () => walk(round.map(([i, k]) => [c(i), c(k)]), 7));
 }
 
 function house(builder: Builder, at: Point, wide: number, turn: number, next: () => number): void {
   const storeys = 2 + Math.floor(3 * next()), high = 3 * storeys, wall = pick(walls, next), roof = pick(roofs, next);
-  new Shape().box(at, [wide, wide, high], wall, turn).gable([at[0], at[1], high], [wide, wide, 2 + 2 * next()], roof, shade(wall, 0.92), turn)
+  new Shape().box(at, [wide, wide, high], wall, turn)
+    .gable([at[0], at[1], high], [wide, wide, 2 + 2 * next()], roof, shade(wall, 0.92), turn)
     .box([at[0] + 1.5, at[1] + 1, high + 0.6], [0.7, 0.7, 2.6], shade(roof, 0.8), turn).addTo(builder, "House");
   const openings = new Shape();
   for (let s = 0; s < storeys; ++s) {
@@ -132,12 +142,13 @@ function house(builder: Builder, at: Point, wide: number, turn: number, next: ()
   openings.addTo(builder, "Windows and doors");
 }
 
-function square(builder: Builder, [x, y]: readonly [number, number], side: number, next: () => number): void {
+function square(builder: Builder, [x, y]: Flat, side: number, next: () => number): void {
   for (let i = 0; i < 14; ++i) {
     const at: Point = [x + (next() - 0.5) * side, y + (next() - 0.5) * side, 0];
     tree(at, 5 + 4 * next(), pick(leaves, next)).addTo(builder, "Tree");
   }
-  new Shape().prism([x, y, 0], 3, 3, 0.7, 16, [170, 166, 158]).prism([x, y, 0.7], 0.6, 0.4, 2.4, 8, [190, 186, 176]).addTo(builder, "Fountain");
+  new Shape().prism([x, y, 0], 3, 3, 0.7, 16, [170, 166, 158])
+    .prism([x, y, 0.7], 0.6, 0.4, 2.4, 8, [190, 186, 176]).addTo(builder, "Fountain");
 }
 
 function park(): Model {
@@ -160,7 +171,7 @@ function park(): Model {
     const at: Point = [(next() - 0.5) * 170, (24 + 32 * next()) * (next() < 0.5 ? -1 : 1), 0];
     tree(at, 6 + 6 * next(), pick(leaves, next)).addTo(builder, "Tree");
   }
-  return finished(builder, "Park behind palings", () => {
+  return finished(builder, "Park", () => {
     const flight = walk([[-80, 0], [80, 0]], 5);
     const glance = ({eye}: Place, i: number): Place => {
       const angle = 0.9 * Math.sin(i / 14);
@@ -192,19 +203,20 @@ function rooms(): Model {
       }
     }
   }
-  const corners: readonly (readonly [number, number])[] = [[0, 0], [size, 0], [size, size], [0, size]];
+  const corners: readonly Flat[] = [[0, 0], [size, 0], [size, size], [0, size]];
   corners.forEach(([x, y], i) => {
     const [toX, toY] = corners[(i + 1) % 4]!;
     new Shape().quad([x, y, 0], [toX, toY, 0], [toX, toY, height], [x, y, height], wall).addTo(builder, "Outer wall");
   });
-  const round: readonly (readonly [number, number])[] = [[2, 2], [6, 2], [6, 6], [2, 6], [2, 2]];
-  return finished(builder, "Rooms with doors ajar", () => walk(round.map(([i, k]) => [middle(i), middle(k)]), 3, 1.6));
+  const round: readonly Flat[] = [[2, 2], [6, 2], [6, 6], [2, 6], [2, 2]];
+  return finished(builder, "Rooms", () => walk(round.map(([i, k]) => [middle(i), middle(k)]), 3, 1.6));
 
   /** A wall between two rooms, with a doorway whose door stands a hand's width open, or none. */
-  function partition([x, y]: readonly [number, number], turn: number, isOpen: boolean): void {
+  function partition([x, y]: Flat, turn: number, isOpen: boolean): void {
     const door = 1, side = (pitch - door) / 2;
     const at = (far: number, z = 0): Point => [x + Math.cos(turn) * far, y + Math.sin(turn) * far, z];
-    new Shape().box(at(-door / 2 - side / 2), [side, 0.12, height], wall, turn).box(at(door / 2 + side / 2), [side, 0.12, height], wall, turn)
+    new Shape().box(at(-door / 2 - side / 2), [side, 0.12, height], wall, turn)
+      .box(at(door / 2 + side / 2), [side, 0.12, height], wall, turn)
       .box(at(0, 2.1), [door, 0.12, height - 2.1], wall, turn).addTo(builder, "Wall");
     if (isOpen) return;
     // It turns about its hinge, at one side of the doorway.
@@ -216,7 +228,7 @@ function rooms(): Model {
 
 function forest(): Model {
   const next = random(3), builder = new Builder();
-  const heightAt = (x: number, y: number) => 5 * Math.sin(x / 45) * Math.cos(y / 38) + 9 * Math.max(0, Math.abs(y) / 90 - 0.35) ** 2 * 4;
+  const heightAt = (x: number, y: number) => 5 * Math.sin(x / 45) * Math.cos(y / 38) + 36 * Math.max(0, Math.abs(y) / 90 - 0.35) ** 2;
   const tile = 20;
   for (let x = -160; x < 160; x += tile) {
     for (let y = -160; y < 160; y += tile) {
@@ -230,18 +242,20 @@ function forest(): Model {
       part.addTo(builder, "Ground");
     }
   }
+  const isOnWay = (x: number, y: number, near: number) => Math.abs(y - 18 * Math.sin(x / 30)) < near;
   for (let i = 0; i < 1900; ++i) {
     const x = (next() - 0.5) * 310, y = (next() - 0.5) * 310;
-    if (Math.abs(y - 18 * Math.sin(x / 30)) < 3) continue;
+    if (isOnWay(x, y, 3)) continue;
     tree([x, y, heightAt(x, y) - 0.2], 7 + 9 * next(), pick(leaves, next)).addTo(builder, "Tree");
   }
   for (let i = 0; i < 160; ++i) {
     const x = (next() - 0.5) * 300, y = (next() - 0.5) * 300, at: Point = [x, y, heightAt(x, y) - 0.1];
+    if (isOnWay(x, y, 5)) continue;
     if (next() < 0.5) person(at, pick(clothes, next)).addTo(builder, "Walker");
-    else new Shape().box(at, [4, 3, 2.4], pick(walls, next), 6 * next()).gable([at[0], at[1], at[2] + 2.4], [4.4, 3.4, 1.4], pick(roofs, next), pick(walls, next), 0).addTo(builder, "Hut");
+    else hut(at, pick(walls, next), pick(roofs, next), 6 * next()).addTo(builder, "Hut");
   }
   return finished(builder, "Forest", () => {
-    const points = Array.from({length: 53}, (_, i): readonly [number, number] => [-130 + 5 * i, 18 * Math.sin((-130 + 5 * i) / 30)]);
+    const points = Array.from({length: 53}, (_, i): Flat => [-130 + 5 * i, 18 * Math.sin((-130 + 5 * i) / 30)]);
     const flight = walk(points, 7, 0);
     const lift = (p: Point, [x, y]: Point): Point => add(p, [0, 0, heightAt(x, y) + 1.7]);
     return {...flight, places: flight.places.map(({eye, target}) => ({eye: lift(eye, eye), target: lift(target, eye)}))};
@@ -252,6 +266,7 @@ function store(): Model {
   const next = random(9), builder = new Builder();
   const aisles = 12, bays = 22, deep = 1.1, aisle = 2.6, wide = 2.7;
   const [length, width] = [bays * wide, aisles * (2 * deep + aisle)];
+  const middleOf = (a: number) => a * (2 * deep + aisle) + 2 * deep + aisle / 2;
   floor(builder, "Floor", [-6, -4], [length + 6, width + 4], 12, [150, 152, 156]);
   for (let a = 0; a < aisles; ++a) {
     for (const side of [0, 1]) {
@@ -262,24 +277,26 @@ function store(): Model {
           rack.box([x, y, 0.1 + 1.3 * level], [wide, deep, 0.08], [74, 104, 134]);
           boxes(x, y, 0.18 + 1.3 * level);
         }
-        for (const [dx, dy] of [[-1, -1], [-1, 1]] as const) rack.box([x + dx * (wide / 2), y + dy * (deep / 2 - 0.05), 0], [0.08, 0.08, 5.2], [200, 120, 60]);
+        for (const side of [-1, 1]) rack.box([x - wide / 2, y + side * (deep / 2 - 0.05), 0], [0.08, 0.08, 5.2], [200, 120, 60]);
         rack.addTo(builder, "Rack");
       }
     }
   }
   for (let i = 0; i < 60; ++i) {
-    const a = Math.floor(next() * aisles), at: Point = [next() * length, a * (2 * deep + aisle) + 2 * deep + aisle / 2 + (next() < 0.5 ? -0.95 : 0.95), 0];
+    const at: Point = [next() * length, middleOf(Math.floor(next() * aisles)) + (next() < 0.5 ? -0.95 : 0.95), 0];
     person(at, pick(clothes, next)).addTo(builder, "Worker");
   }
-  const y = (a: number) => a * (2 * deep + aisle) + 2 * deep + aisle / 2;
-  return finished(builder, "Store of boxes", () => walk([[-3, y(3)], [length + 3, y(3)], [length + 3, y(6)], [-3, y(6)], [-3, y(8)], [length + 3, y(8)]], 4));
+  const [first, second, third] = [3, 6, 8].map(middleOf) as [number, number, number], [front, back] = [-3, length + 3];
+  const way: Flat[] = [[front, first], [back, first], [back, second], [front, second], [front, third], [back, third]];
+  return finished(builder, "Store", () => walk(way, 4));
 
   /** Side by side on one level of a rack, with gaps of a finger's width, and some missing. */
   function boxes(x: number, rowY: number, z: number): void {
     const stack = new Shape();
     for (let left = -wide / 2 + 0.1; left < wide / 2 - 0.6;) {
       const size = 0.45 + 0.35 * next();
-      if (next() > 0.08) stack.box([x + left + size / 2, rowY, z], [size, deep - 0.1, 0.8 + 0.34 * next()], [186 - 40 * next(), 150 - 20 * next(), 104]);
+      const colour: Colour = [186 - 40 * next(), 150 - 20 * next(), 104];
+      if (next() > 0.08) stack.box([x + left + size / 2, rowY, z], [size, deep - 0.1, 0.8 + 0.34 * next()], colour);
       left += size + 0.015 + 0.03 * next();
     }
     stack.addTo(builder, "Boxes");

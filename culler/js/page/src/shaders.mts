@@ -51,9 +51,16 @@ export const colourFragments = `${kModelInputs}
 precision highp usampler2D;
 uniform usampler2D fates;
 uniform bool showsFates, showsClay, showsHidden, showsOutOfView;
-uniform vec3 clay, hidden, outOfView, marked;
+uniform vec3 hidden, outOfView, marked;
 uniform uvec2 markedRange;  // triangles: the first and the one after the last
 out vec4 colour;
+
+/** By the slope of the surface, as in the reports. */
+vec3 clay(float slope) {
+  return slope > 0.99 ? vec3(0.66, 0.66, 0.62) : slope > 0.82 ? vec3(0.58, 0.63, 0.50) : slope > 0.3 ? vec3(0.66, 0.50, 0.42)
+                                                                                                : vec3(0.80, 0.71, 0.58);
+}
+
 void main() {
   uint fate = showsFates ? texelFetch(fates, ivec2(triangle % ${kFatesWide}u, triangle / ${kFatesWide}u), 0).r : 0u;
   if (isLeftOut() || fate == 1u && !showsHidden || fate == 2u && !showsOutOfView) discard;
@@ -62,7 +69,7 @@ void main() {
   vec3 normal = size > 0.0 ? across / size : up;
   normal *= dot(normal, place) > 0.0 ? -1.0 : 1.0;
   bool isMarked = triangle >= markedRange.x && triangle < markedRange.y;
-  vec3 base = showsClay ? clay : tint;
+  vec3 base = showsClay ? clay(abs(dot(normal, up))) : tint;
   base = isMarked ? marked : fate == 1u ? hidden : fate == 2u ? outOfView : base;
   vec3 helper = abs(up.x) < 0.9 ? vec3(1, 0, 0) : vec3(0, 1, 0), east = normalize(cross(up, helper));
   vec3 sun = normalize(0.75 * up + 0.35 * east + 0.5 * cross(up, east));
@@ -103,10 +110,25 @@ uniform float near, radius;  // radius: of the shade, where the distance is 1, i
 uniform vec3 sky, haze;
 in vec2 at;
 out vec4 colour;
+
+/** The picture without steps along edges: a mean along each edge, as FXAA takes it. */
+vec3 smoothed(vec2 at, vec2 pixel) {
+  vec3 weights = vec3(0.299, 0.587, 0.114), middle = texture(picture, at).rgb;
+  float a = dot(texture(picture, at + vec2(-1, -1) * pixel).rgb, weights), b = dot(texture(picture, at + vec2(1, -1) * pixel).rgb, weights);
+  float c = dot(texture(picture, at + vec2(-1, 1) * pixel).rgb, weights), d = dot(texture(picture, at + vec2(1, 1) * pixel).rgb, weights);
+  float here = dot(middle, weights), least = min(here, min(min(a, b), min(c, d))), most = max(here, max(max(a, b), max(c, d)));
+  if (most - least < 0.06) return middle;
+  vec2 along = vec2(c + d - a - b, a + c - b - d);
+  along = clamp(along / (min(abs(along.x), abs(along.y)) + (a + b + c + d) / 32.0 + 0.008), -8.0, 8.0) * pixel;
+  vec3 inner = 0.5 * (texture(picture, at - along / 6.0).rgb + texture(picture, at + along / 6.0).rgb);
+  vec3 outer = 0.5 * inner + 0.25 * (texture(picture, at - along / 2.0).rgb + texture(picture, at + along / 2.0).rgb);
+  float light = dot(outer, weights);
+  return light < least || light > most ? inner : outer;
+}
+
 void main() {
   vec2 size = vec2(textureSize(depths, 0));
   float middle = texture(depths, at).r;
-  vec4 seen = texture(picture, at);
   if (middle == 0.0) {
     colour = vec4(mix(haze, sky, smoothstep(0.35, 1.0, at.y)), 1);
     return;
@@ -117,13 +139,14 @@ void main() {
   for (int i = 0; i < 8; ++i) {
     float angle = turn + float(i) * 2.39996, far = reach * sqrt((float(i) + 0.5) / 8.0);
     vec2 step = far * vec2(cos(angle) * size.y / size.x, sin(angle));
+    if (any(greaterThan(abs(at - 0.5) + abs(step), vec2(0.5)))) continue;
     float bend = (texture(depths, at + step).r + texture(depths, at - step).r) * 0.5 / middle - 1.0;
     // By how much the two are nearer, in lengths of the step: in a corner about 1, at the edge of what stands in front more.
     float deep = 0.87 * bend / far;
     shade += clamp(deep, -0.2, 1.0) * (1.0 - smoothstep(0.9, 2.0, deep));
   }
   float light = 1.0 - 0.65 * shade / 8.0;
-  colour = vec4(seen.rgb * light, 1);
+  colour = vec4(smoothed(at, 1.0 / size) * light, 1);
 }`;
 
 /** Straight lines some pixels wide. Each is a quad. */

@@ -39,7 +39,10 @@ export class Shape {
     for (let i = 0; i < sides; ++i) {
       const a = corner(i, below, 0), b = corner(i + 1, below, 0);
       if (above === 0) this.triangle(a, b, top, colour);
-      else this.quad(a, b, corner(i + 1, above, height), corner(i, above, height), colour).triangle(corner(i, above, height), corner(i + 1, above, height), top, colour);
+      else {
+        const c = corner(i + 1, above, height), d = corner(i, above, height);
+        this.quad(a, b, c, d, colour).triangle(d, c, top, colour);
+      }
     }
     return this;
   }
