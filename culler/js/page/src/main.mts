@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The page in which one flies through a model while each frame is culled.
+import {load} from "occlude";
+
+import {parse} from "./address.mjs";
+import {App, type Source} from "./app.mjs";
+import {Court} from "./court.mjs";
+import {byId, tell} from "./elements.mjs";
+import type {Place} from "./camera.mjs";
+import type {Model} from "./model.mjs";
+import {Panel} from "./panel.mjs";
+import {listen} from "./pointers.mjs";
+import {read} from "./read.mjs";
+import {scenes} from "./scenes.mjs";
+
+async function start(): Promise<{app: App; court: Court}> {
+  const address = parse(location.hash);
+  const code = Uint8Array.from(atob(byId("module").textContent!), character => character.charCodeAt(0));
+  const occlude = await load(code);
+  const app = new App(occlude, byId<HTMLCanvasElement>("picture"), address.settings, {
+    onFrame() {
+      panel.tellFrame();
+      court.onFrame();
+    },
+    onCatch: (_, caught) => court.onCatch(caught),
+    onFlight: () => panel.tellFlight(),
+  });
+  const court = new Court(app, scene => open(scene.make(), {scene: scene.key}));
+  const panel = new Panel(app, {
+    openScene: scene => open(scene.make(), {scene: scene.key}),
+    openFiles: files => said(async () => openFiles([...files])),
+  });
+
+  async function open(model: Model, source: Source, place?: Place): Promise<void> {
+    await app.open(model, source, place);
+    panel.tellModel();
+    court.restart();
+  }
+  async function openFiles(files: readonly File[]): Promise<void> {
+    tell("Reading …", 600);
+    await new Promise(resolve => setTimeout(resolve));
+    await open(await read(new Map(files.map(file => [file.name, file]))), {});
+    tell(`${app.model.name} is open: it has not left this computer.`);
+  }
+  async function openAddress(): Promise<void> {
+    const {scene, model, place, before, settings} = parse(location.hash);
+    Object.assign(app.settings, settings);
+    if (model !== undefined) {
+      const answer = await fetch(model);
+      if (!answer.ok) throw new Error(`${model}: ${answer.status} ${answer.statusText}`);
+      await open(await read(new Map([[model.split("/").at(-1)!, await answer.blob()]])), {model}, place);
+    } else {
+      const found = scenes.find(({key}) => key === scene) ?? scenes[0]!;
+      await open(found.make(), {scene: found.key}, place);
+    }
+    panel.tellSettings();
+    if (settings.isCatching) court.setOpen(true);
+    if (settings.isCatching && place !== undefined) court.confront(place, before);
+  }
+  /** Errors are told, and nothing changes. */
+  async function said(action: () => Promise<void>): Promise<void> {
+    await action().catch((error: unknown) => tell(error instanceof Error ? error.message : String(error), 30));
+  }
+
+  listen(app, (x, y) => {
+    app.setFlying(false);
+    const answer = app.ask(x, y);
+    tell(answer?.text ?? "There is nothing.", 20);
+  });
+  app.canvas.addEventListener("webglcontextlost", () => tell("The browser has given up the drawing; load the page again.", 1e6));
+  addEventListener("hashchange", () => void said(openAddress));
+  addEventListener("resize", () => app.wake());
+  matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => app.wake());
+  await openAddress();
+  return {app, court};
+}
+
+declare global {
+  interface Window {
+    page: Promise<{app: App; court: Court}>;
+  }
+}
+window.page = start();
+window.page.catch((error: unknown) => tell(`This cannot be shown here: ${error instanceof Error ? error.message : String(error)}`, 1e6));

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+// Draws a model: pictures for readers, and pictures of triangles' numbers for judges.
+import {projectionOf, type Camera} from "./camera.mjs";
+import {haze, hiddenColour, pale, sky, type Rgb} from "./colours.mjs";
+import type {Frame} from "./frame.mjs";
+import {triangleCount, type Model} from "./model.mjs";
+import type {Picture} from "./picture.mjs";
+import {subtract, type Point} from "./points.mjs";
+import * as shaders from "./shaders.mjs";
+
+/** A part of the canvas, in its pixels from the lower left. */
+export interface Viewport {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface Line {
+  readonly from: Point;
+  readonly to: Point;
+  readonly colour: Rgb;
+  /** Whether it is seen through what is in front. */
+  readonly isThrough?: boolean;
+}
+
+export interface Look {
+  /** What the frame draws; undefined: all. */
+  readonly frame?: Frame | undefined;
+  readonly showsFates: boolean;
+  readonly showsClay: boolean;
+  readonly showsHidden: boolean;
+  readonly showsOutOfView: boolean;
+  /** What is that much above the origin along `up` is cut off. */
+  readonly ceiling: number;
+  readonly marked?: {readonly first: number; readonly end: number; readonly colour: Rgb} | undefined;
+  readonly lines: readonly Line[];
+  readonly isDark: boolean;
+  /** Corners are dark that far out of them. */
+  readonly shadeRadius: number;
+}
+
+type Uniforms = Record<string, WebGLUniformLocation | null>;
+interface Program {
+  readonly program: WebGLProgram;
+  readonly uniforms: Uniforms;
+}
+interface Target {
+  readonly buffer: WebGLFramebuffer;
+  readonly colours: WebGLTexture;
+  readonly depths: WebGLTexture;
+  readonly width: number;
+  readonly height: number;
+}
+
+export class Painter {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #colour: Program;
+  readonly #number: Program;
+  readonly #screen: Program;
+  readonly #line: Program;
+  readonly #targets = new Map<string, Target>();
+  readonly #lines: {array: WebGLVertexArrayObject; buffer: WebGLBuffer};
+  readonly #fates: WebGLTexture;
+  #model: Model | undefined;
+  #array: WebGLVertexArrayObject | null = null;
+  #buffers: WebGLBuffer[] = [];
+  #index: Uint32Array<ArrayBuffer> = new Uint32Array();
+  #indexed: {frame: Frame; count: number} | undefined;
+
+  constructor(canvas: HTMLCanvasElement) {
+    const how: WebGLContextAttributes = {antialias: false, depth: false, alpha: false, preserveDrawingBuffer: true};
+    const gl = canvas.getContext("webgl2", {...how, powerPreference: "high-performance"}) as WebGL2RenderingContext | null;
+    if (!gl) throw new Error("this browser draws nothing by WebGL 2");
+    this.#gl = gl;
+    this.#colour = link(gl, shaders.colourVertices, shaders.colourFragments);
+    this.#number = link(gl, shaders.numberVertices, shaders.numberFragments);
+    this.#screen = link(gl, shaders.screenVertices, shaders.screenFragments);
+    this.#line = link(gl, shaders.lineVertices, shaders.lineFragments);
+    this.#fates = gl.createTexture();
+    const array = gl.createVertexArray(), buffer = gl.createBuffer();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    // Two points and a colour, for each of a line's four vertices.
+    [3, 3, 4].forEach((size, i) => {
+      gl.enableVertexAttribArray(i);
+      gl.vertexAttribPointer(i, size, gl.FLOAT, false, 40, [0, 12, 24][i]!);
+      gl.vertexAttribDivisor(i, 1);
+    });
+    this.#lines = {array, buffer};
+    gl.depthFunc(gl.GREATER);
+    gl.clearDepth(0);
+  }
+
+  setModel(model: Model): void {
+    const gl = this.#gl;
+    for (const buffer of this.#buffers) gl.deleteBuffer(buffer);
+    gl.deleteVertexArray(this.#array);
+    this.#model = model;
+    this.#indexed = undefined;
+    this.#array = gl.createVertexArray();
+    gl.bindVertexArray(this.#array);
+    const count = triangleCount(model);
+    this.#buffers = [model.corners, model.colours].map((data, i) => {
+      const buffer = gl.createBuffer();
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(i);
+      if (i === 0) gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+      else gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, 0, 0);
+      return buffer;
+    });
+    this.#index = new Uint32Array(3 * count);
+    const index = gl.createBuffer();
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, index);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, 12 * count, gl.DYNAMIC_DRAW);
+    this.#buffers.push(index);
+    this.setFates(new Uint8Array(count));
+  }
+
+  setFates(fates: Uint8Array): void {
+    const gl = this.#gl, wide = shaders.kFatesWide, rows = Math.ceil(fates.length / wide);
+    const padded = new Uint8Array(wide * rows);
+    padded.set(fates);
+    gl.bindTexture(gl.TEXTURE_2D, this.#fates);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8UI, wide, rows, 0, gl.RED_INTEGER, gl.UNSIGNED_BYTE, padded);
+    setFilter(gl, gl.NEAREST);
+  }
+
+  /** Paints a part of the canvas. */
+  paint(viewport: Viewport, camera: Camera, look: Look): void {
+    const gl = this.#gl, {width, height} = viewport;
+    const target = this.#targetOf("colours", width, height);
+    // Edges against the sky are mixed with that.
+    this.#begin(target, look.isDark ? haze.dark : haze.light);
+    const {uniforms} = this.#use(this.#colour, camera, look.ceiling);
+    gl.uniform1i(uniforms.showsFates!, Number(look.showsFates));
+    gl.uniform1i(uniforms.showsClay!, Number(look.showsClay));
+    gl.uniform1i(uniforms.showsHidden!, Number(look.showsHidden));
+    gl.uniform1i(uniforms.showsOutOfView!, Number(look.showsOutOfView));
+    gl.uniform3fv(uniforms.hidden!, hiddenColour);
+    gl.uniform3fv(uniforms.outOfView!, look.isDark ? pale.dark : pale.light);
+    gl.uniform3fv(uniforms.marked!, look.marked?.colour ?? hiddenColour);
+    gl.uniform2ui(uniforms.markedRange!, look.marked?.first ?? 0, look.marked?.end ?? 0);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.#fates);
+    gl.uniform1i(uniforms.fates!, 0);
+    this.#draw(look.frame);
+    this.#drawLines(look.lines.filter(line => !line.isThrough), camera, target, 1);
+    gl.disable(gl.DEPTH_TEST);
+    this.#drawLines(look.lines.filter(line => line.isThrough), camera, target, 1);
+    this.#show(target, viewport, camera, look);
+  }
+
+  /** The colours of a picture before it is shaded by its depths: four bytes of each pixel. */
+  picture(camera: Camera, look: Look, width: number, height: number): Uint8Array {
+    const gl = this.#gl;
+    this.paint({x: 0, y: 0, width, height}, camera, look);
+    const pixels = new Uint8Array(4 * width * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#targetOf("colours", width, height).buffer);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return pixels;
+  }
+
+  /** Which triangle each pixel shows, of a frame or of all. */
+  numbers(camera: Camera, width: number, height: number, frame?: Frame): Picture {
+    const target = this.#drawNumbers(camera, width, height, Infinity, true, frame);
+    return {triangles: this.#numbersIn(0, 0, target.width, target.height), width, height, camera};
+  }
+
+  /** The triangle at a pixel from the lower left, if any. */
+  triangleAt(camera: Camera, [x, y]: readonly [number, number], {width, height}: Viewport, ceiling: number): number | undefined {
+    this.#drawNumbers(camera, width, height, ceiling, false);
+    const [number] = this.#numbersIn(Math.floor(x), Math.floor(y), 1, 1);
+    return number! > 0 ? number! - 1 : undefined;
+  }
+
+  #drawNumbers(camera: Camera, width: number, height: number, ceiling: number, isOpaqueOnly: boolean, frame?: Frame): Target {
+    const gl = this.#gl, target = this.#targetOf("numbers", width, height);
+    this.#begin(target);
+    const {uniforms} = this.#use(this.#number, camera, ceiling);
+    gl.uniform1i(uniforms.isOpaqueOnly!, Number(isOpaqueOnly));
+    this.#draw(frame);
+    return target;
+  }
+
+  #numbersIn(x: number, y: number, width: number, height: number): Uint32Array {
+    const gl = this.#gl, bytes = new Uint8Array(4 * width * height);
+    gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return new Uint32Array(bytes.buffer);
+  }
+
+  #begin({buffer, width, height}: Target, background: Rgb = [0, 0, 0]): void {
+    const gl = this.#gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, buffer);
+    gl.viewport(0, 0, width, height);
+    gl.enable(gl.DEPTH_TEST);
+    gl.clearColor(...background, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  #use(program: Program, camera: Camera, ceiling: number): Program {
+    const gl = this.#gl, {uniforms} = program, high = camera.eye.map(Math.fround) as unknown as Point;
+    gl.useProgram(program.program);
+    gl.uniformMatrix4fv(uniforms.projection!, false, projectionOf(camera));
+    gl.uniform3fv(uniforms.eye!, high);
+    gl.uniform3fv(uniforms.eyeRest!, subtract(camera.eye, high));
+    gl.uniform1f(uniforms.near!, camera.near);
+    gl.uniform3fv(uniforms.up!, camera.up);
+    gl.uniform1f(uniforms.ceiling!, Math.min(ceiling, 3e38));
+    return program;
+  }
+
+  #draw(frame: Frame | undefined): void {
+    const gl = this.#gl;
+    gl.bindVertexArray(this.#array);
+    if (frame === undefined) gl.drawArrays(gl.TRIANGLES, 0, 3 * triangleCount(this.#model!));
+    else gl.drawElements(gl.TRIANGLES, this.#indexOf(frame), gl.UNSIGNED_INT, 0);
+  }
+
+  /** How many indices a frame draws, of the buffer that is bound. */
+  #indexOf(frame: Frame): number {
+    if (this.#indexed?.frame === frame) return this.#indexed.count;
+    let count = 0;
+    for (let i = 0; i < frame.drawn.length; i += 2) {
+      const first = 3 * frame.drawn[i]!, end = first + 3 * frame.drawn[i + 1]!;
+      this.#index.set(frame.index.subarray(first, end), count);
+      count += end - first;
+    }
+    const gl = this.#gl;
+    gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, 0, this.#index, 0, count);
+    this.#indexed = {frame, count};
+    return count;
+  }
+
+  #drawLines(lines: readonly Line[], camera: Camera, {width, height}: Target, alpha: number): void {
+    if (lines.length === 0) return;
+    const gl = this.#gl, {uniforms} = this.#line;
+    const numbers = lines.flatMap(({from, to, colour}) => [...subtract(from, camera.eye), ...subtract(to, camera.eye), ...colour, alpha]);
+    gl.useProgram(this.#line.program);
+    gl.uniformMatrix4fv(uniforms.projection!, false, projectionOf(camera));
+    gl.uniform2f(uniforms.size!, width, height);
+    gl.uniform1f(uniforms.width!, 2 * Math.max(1, devicePixelRatio));
+    gl.uniform1f(uniforms.near!, camera.near);
+    gl.bindVertexArray(this.#lines.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.#lines.buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(numbers), gl.STREAM_DRAW);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.length);
+  }
+
+  #show(target: Target, {x, y, width, height}: Viewport, camera: Camera, look: Look): void {
+    const gl = this.#gl, {uniforms} = this.#screen;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(x, y, width, height);
+    gl.useProgram(this.#screen.program);
+    [target.colours, target.depths].forEach((texture, i) => {
+      gl.activeTexture(gl.TEXTURE0 + i);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+    });
+    gl.uniform1i(uniforms.picture!, 0);
+    gl.uniform1i(uniforms.depths!, 1);
+    gl.uniform1f(uniforms.near!, camera.near);
+    gl.uniform1f(uniforms.radius!, look.shadeRadius);
+    gl.uniform3fv(uniforms.haze!, look.isDark ? haze.dark : haze.light);
+    gl.uniform3fv(uniforms.sky!, look.isDark ? sky.dark : sky.light);
+    gl.bindVertexArray(null);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  /** One of each kind and size. */
+  #targetOf(kind: "colours" | "numbers", width: number, height: number): Target {
+    const name = `${kind} ${width} ${height}`, found = this.#targets.get(name);
+    if (found) return found;
+    if (this.#targets.size >= kMostTargets) {
+      const [oldest, target] = this.#targets.entries().next().value!;
+      this.#release(target);
+      this.#targets.delete(oldest);
+    }
+    const gl = this.#gl;
+    const texture = (format: number) => {
+      const made = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, made);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
+      setFilter(gl, format === gl.RGBA8 ? gl.LINEAR : gl.NEAREST);
+      return made;
+    };
+    gl.activeTexture(gl.TEXTURE0);
+    const target = {buffer: gl.createFramebuffer(), colours: texture(gl.RGBA8), depths: texture(gl.DEPTH_COMPONENT32F), width, height};
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.colours, 0);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, target.depths, 0);
+    this.#targets.set(name, target);
+    return target;
+  }
+
+  #release({buffer, colours, depths}: Target): void {
+    const gl = this.#gl;
+    gl.deleteFramebuffer(buffer);
+    gl.deleteTexture(colours);
+    gl.deleteTexture(depths);
+  }
+}
+
+/** Two views and a lens, and the pictures of their numbers, coarse and fine. */
+const kMostTargets = 8;
+
+function setFilter(gl: WebGL2RenderingContext, filter: number): void {
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+}
+
+function link(gl: WebGL2RenderingContext, vertices: string, fragments: string): Program {
+  const program = gl.createProgram();
+  for (const [type, source] of [[gl.VERTEX_SHADER, vertices], [gl.FRAGMENT_SHADER, fragments]] as const) {
+    const shader = gl.createShader(type)!;
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "a shader was refused");
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "a program was refused");
+  const uniforms: Uniforms = {};
+  for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++i) {
+    const {name} = gl.getActiveUniform(program, i)!;
+    uniforms[name] = gl.getUniformLocation(program, name);
+  }
+  return {program, uniforms};
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Reads files: glTF, OBJ and PLY, by the loaders of three.js.
+import * as THREE from "three";
+import {DRACOLoader} from "three/addons/loaders/DRACOLoader.js";
+import {GLTFLoader} from "three/addons/loaders/GLTFLoader.js";
+import {MTLLoader} from "three/addons/loaders/MTLLoader.js";
+import {OBJLoader} from "three/addons/loaders/OBJLoader.js";
+import {PLYLoader} from "three/addons/loaders/PLYLoader.js";
+import {MeshoptDecoder} from "three/addons/libs/meshopt_decoder.module.js";
+
+import {Builder} from "./builder.mjs";
+import {ColourOf} from "./materials.mjs";
+import {orbit} from "./flight.mjs";
+import type {Model, NamedPlace} from "./model.mjs";
+import {add, type Point} from "./points.mjs";
+
+/** What is dropped together, by name: a model, and what it refers to. */
+export type Files = ReadonlyMap<string, Blob>;
+
+const kinds = /\.(gltf|glb|obj|ply)$/i;
+
+/** 23 bits number triangles (builder.mts). */
+const kMostTriangles = 2 ** 23;
+
+export async function read(files: Files): Promise<Model> {
+  const name = [...files.keys()].find(file => kinds.test(file));
+  if (name === undefined) throw new Error(`${[...files.keys()].join(", ") || "nothing"}: no glTF, OBJ or PLY file`);
+  const urls = new Map([...files].map(([file, blob]) => [file, URL.createObjectURL(blob)]));
+  const manager = new THREE.LoadingManager();
+  manager.setURLModifier(url => urls.get(decodeURIComponent(url.split(/[\\/]/).at(-1)!)) ?? url);
+  try {
+    return await modelOf(name, await load(name, files, manager));
+  } finally {
+    for (const url of urls.values()) URL.revokeObjectURL(url);
+  }
+}
+
+interface Loaded {
+  readonly root: THREE.Object3D;
+  readonly cameras: readonly THREE.Camera[];
+  /** What the format says. */
+  readonly up: Point | undefined;
+  readonly isColoured: boolean;
+}
+
+async function load(name: string, files: Files, manager: THREE.LoadingManager): Promise<Loaded> {
+  const blob = files.get(name)!;
+  if (/\.ply$/i.test(name)) {
+    const geometry = new PLYLoader(manager).parse(await blob.arrayBuffer()), isColoured = geometry.hasAttribute("color");
+    const root = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({vertexColors: isColoured}));
+    root.name = name;
+    return {root, cameras: [], up: undefined, isColoured};
+  }
+  if (/\.obj$/i.test(name)) {
+    const loader = new OBJLoader(manager), library = [...files.keys()].find(file => /\.mtl$/i.test(file));
+    if (library !== undefined) loader.setMaterials(await materialsIn(await files.get(library)!.text(), manager));
+    return {root: loader.parse(await blob.text()), cameras: [], up: undefined, isColoured: library !== undefined};
+  }
+  const draco = new DRACOLoader(manager).setDecoderPath("draco/");
+  const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder).setDRACOLoader(draco);
+  const {scene, cameras} = await loader.parseAsync(await blob.arrayBuffer(), "");
+  return {root: scene, cameras, up: [0, 1, 0], isColoured: true};
+}
+
+async function materialsIn(text: string, manager: THREE.LoadingManager) {
+  const creator = new MTLLoader(manager).parse(text, "");
+  // Pictures of textures come later than the materials that have them.
+  const isLoaded = new Promise<void>(resolve => (manager.onLoad = resolve));
+  manager.itemStart("materials");
+  creator.preload();
+  manager.itemEnd("materials");
+  await isLoaded;
+  return creator;
+}
+
+function modelOf(name: string, {root, cameras, up, isColoured}: Loaded): Model {
+  root.updateMatrixWorld(true);
+  const builder = new Builder();
+  let count = 0;
+  root.traverseVisible(object => {
+    if (!(object instanceof THREE.Mesh)) return;
+    count += addMesh(builder, object);
+    if (count > kMostTriangles) throw new Error(`${name}: more than ${kMostTriangles} triangles`);
+  });
+  if (builder.isEmpty) throw new Error(`${name}: no triangles`);
+  const places = cameras.map(placeOfCamera);
+  const model = builder.model({name, up: up ?? [0, 0, 1], isColoured, cameras: places, flightIn: box => orbit(box, up ?? [0, 0, 1])});
+  return up === undefined ? turned(model, likelyUp(name, model)) : model;
+}
+
+/** The same model with another direction up. */
+export const turned = (model: Model, up: Point): Model => ({...model, up, flight: orbit(model.box, up)});
+
+/** Where the file does not say: the direction in which the model is smallest, or the custom of the format if it is about a cube. */
+function likelyUp(name: string, {box: {low, high}}: Model): Point {
+  const y = high[1] - low[1], z = high[2] - low[2], isYCustom = /\.obj$/i.test(name);
+  return (isYCustom ? y <= 1.2 * z : 1.2 * y < z) ? [0, 1, 0] : [0, 0, 1];
+}
+
+function placeOfCamera(camera: THREE.Camera, i: number): NamedPlace {
+  const eye = camera.getWorldPosition(new THREE.Vector3()).toArray() as unknown as Point;
+  const ahead = camera.getWorldDirection(new THREE.Vector3()).toArray() as unknown as Point;
+  return {name: nameOf(camera) || `Camera ${i + 1}`, eye, target: add(eye, ahead)};
+}
+
+/** As in the file: of glTF the loader changes names, and keeps them aside. */
+const nameOf = ({userData, name}: THREE.Object3D): string => (typeof userData.name === "string" ? userData.name : name);
+
+/** Returns the number of triangles. */
+function addMesh(builder: Builder, mesh: THREE.Mesh): number {
+  const {geometry} = mesh, position = geometry.getAttribute("position");
+  if (position === undefined) return 0;
+  const index = indexOf(geometry), {colours, kept} = coloursOf(mesh, index);
+  const instances = mesh instanceof THREE.InstancedMesh ? mesh.count : 1;
+  const place = new THREE.Matrix4(), vertex = new THREE.Vector3();
+  for (let instance = 0; instance < instances; ++instance) {
+    place.copy(mesh.matrixWorld);
+    if (mesh instanceof THREE.InstancedMesh) {
+      mesh.getMatrixAt(instance, place);
+      place.premultiply(mesh.matrixWorld);
+    }
+    const points = new Float32Array(3 * position.count);
+    for (let i = 0; i < position.count; ++i) mesh.getVertexPosition(i, vertex).applyMatrix4(place).toArray(points, 3 * i);
+    const corners = new Float32Array(3 * kept.length);
+    kept.forEach((at, i) => corners.set(points.subarray(3 * index[at]!, 3 * index[at]! + 3), 3 * i));
+    const name = nameOf(mesh) || (mesh.parent && nameOf(mesh.parent)) || "Mesh";
+    builder.add(instances > 1 ? `${name}, instance ${instance + 1}` : name, ...withoutBroken(corners, colours));
+  }
+  return (instances * kept.length) / 3;
+}
+
+function indexOf(geometry: THREE.BufferGeometry): Uint32Array {
+  const {index} = geometry, count = index?.count ?? geometry.getAttribute("position").count;
+  return Uint32Array.from({length: 3 * Math.floor(count / 3)}, (_, i) => (index ? index.getX(i) : i));
+}
+
+/** Of the corners that a group draws with a material: which, and four bytes each. */
+function coloursOf(mesh: THREE.Mesh, index: Uint32Array) {
+  const {geometry, material} = mesh;
+  const groups = Array.isArray(material) ? geometry.groups : [{start: 0, count: index.length, materialIndex: 0}];
+  const kept: number[] = [], bytes: number[] = [];
+  for (const {start, count, materialIndex = 0} of groups) {
+    const of = new ColourOf(geometry, Array.isArray(material) ? material[materialIndex]! : material);
+    for (let at = start; at < Math.min(start + count, index.length); ++at) {
+      kept.push(at);
+      bytes.push(...of.vertex(index[at]!));
+    }
+  }
+  return {kept, colours: Uint8Array.from(bytes)};
+}
+
+/** Leaves out triangles with numbers that are none. */
+function withoutBroken(corners: Float32Array, colours: Uint8Array): [Float32Array, Uint8Array] {
+  const isWhole = (triangle: number) => corners.subarray(9 * triangle, 9 * triangle + 9).every(Number.isFinite);
+  const whole = Array.from({length: corners.length / 9}, (_, t) => t).filter(isWhole);
+  if (whole.length === corners.length / 9) return [corners, colours];
+  return [
+    Float32Array.from(whole.flatMap(t => [...corners.subarray(9 * t, 9 * t + 9)])),
+    Uint8Array.from(whole.flatMap(t => [...colours.subarray(12 * t, 12 * t + 12)])),
+  ];
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// The parts of the page that need no browser: proofs, the rivals and their judge, links, recorded paths and built-in scenes. In a
+// browser the page is tested by tests/page/flight_test.py.
+import assert from "node:assert/strict";
+import {test} from "node:test";
+
+import {dist, need, packageFolder, random} from "./common.mjs";
+
+const made = `${packageFolder}/page/made`;
+const isMade = need(`${made}/main.mjs`, "page (culler/js/page/build.sh)");
+const part = name => import(`${made}/${name}.mjs`);
+
+// ---- Proofs ----
+
+/** Doubles as integers of 2^-1074. */
+function exact(value) {
+  const bits = new BigUint64Array(Float64Array.of(value).buffer)[0];
+  const exponent = (bits >> 52n) & 2047n, fraction = bits & ((1n << 52n) - 1n);
+  const size = exponent === 0n ? fraction : (fraction | (1n << 52n)) << (exponent - 1n);
+  return bits >> 63n ? -size : size;
+}
+const signOf = big => (big > 0n ? 1 : big < 0n ? -1 : 0);
+
+/** As side() would be with exact numbers. */
+function exactSide(...points) {
+  const [a, b, c, d] = points.map(point => point.map(exact));
+  const [u, v, w] = [a, b, c].map(point => point.map((x, i) => x - d[i]));
+  return signOf(u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]));
+}
+
+test("a side that is told is the exact one, also of points on a plane but for rounding", isMade, async () => {
+  const {side} = await part("proof");
+  const next = random(58), point = () => [0, 1, 2].map(() => Math.fround(100 * next() - 50));
+  let told = 0, untold = 0;
+  for (let i = 0; i < 20000; ++i) {
+    const a = point(), b = point(), c = point(), [s, t] = [next(), next()];
+    // On the plane, but for rounding, or near to it.
+    const near = a.map((x, k) => x + s * (b[k] - x) + t * (c[k] - x) + (i % 2) * 1e-13 * next());
+    for (const d of [near, point()]) {
+      const answer = side(a, b, c, d);
+      if (answer === 0) untold += 1;
+      else assert.equal(answer, exactSide(a, b, c, d), `case ${i}`);
+      told += Number(answer !== 0);
+    }
+  }
+  assert.ok(told > 20000 && untold > 5000, `${told} told, ${untold} not`);
+});
+
+test("a segment crosses, misses, or is not told of where it touches", isMade, async () => {
+  const {crosses} = await part("proof");
+  const triangle = [[-1, -1, 5], [1, -1, 5], [0, 1, 5]];
+  const at = (x, y, far) => crosses([0, 0, 0], [x * far, y * far, 5 * far], ...triangle);
+  assert.equal(at(0, 0, 2), true);
+  assert.equal(at(0, 0, 0.9), false, "it ends before");
+  assert.equal(at(3, 0, 2), false, "it passes by");
+  assert.equal(at(0, -1, 2), undefined, "through an edge");
+  assert.equal(at(0, 1, 2), undefined, "through a corner");
+  assert.equal(at(0, 0, 1), undefined, "it ends on it");
+});
+
+// ---- The judge ----
+
+const box = (x0, y0, z0, x1, y1, z1) => [x0, y0, z0, x1, y1, z1];
+/** Twelve triangles. */
+function trianglesOf([x0, y0, z0, x1, y1, z1]) {
+  const corner = i => [i & 1 ? x1 : x0, i & 2 ? y1 : y0, i & 4 ? z1 : z0];
+  const faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+  return faces.flatMap(([a, b, c, d]) => [a, b, c, a, c, d].flatMap(corner));
+}
+
+async function modelOf(boxes, colours = () => 255) {
+  const {Builder} = await part("builder");
+  const builder = new Builder();
+  boxes.forEach((of, i) => builder.add(`Box ${i}`, Float32Array.from(trianglesOf(of)), new Uint8Array(144).fill(colours(i))));
+  return builder.model({name: "Boxes", up: [0, 0, 1], isColoured: true, cameras: [], flightIn: () => ({places: [], seconds: 1})});
+}
+
+/** Draws numbers of triangles by a ray through the centre of each pixel, in doubles. */
+async function painterOf(model) {
+  const {rayOf} = await part("picture"), {subtract, cross, dot} = await part("points"), {cornerOf, triangleCount, isSeeThrough} = await part("model");
+  const corners = Array.from({length: triangleCount(model)}, (_, t) => [0, 1, 2].map(c => cornerOf(model, t, c)));
+  const numbers = (camera, width, height) => {
+    const picture = {triangles: new Uint32Array(width * height), width, height, camera};
+    for (let i = 0; i < width * height; ++i) {
+      const ray = rayOf(picture, i % width, Math.floor(i / width));
+      let nearest = Infinity;
+      corners.forEach(([a, b, c], t) => {
+        if (isSeeThrough(model, t)) return;
+        const u = subtract(b, a), v = subtract(c, a), p = cross(ray, v), size = dot(u, p), from = subtract(camera.eye, a);
+        const s = dot(from, p) / size, q = cross(from, u), r = dot(ray, q) / size, far = dot(v, q) / size;
+        if (!(s >= 0 && r >= 0 && s + r <= 1 && far > camera.near && far < nearest)) return;
+        nearest = far;
+        picture.triangles[i] = t + 1;
+      });
+    }
+    return picture;
+  };
+  return {numbers};
+}
+
+const looking = (eye, target = [eye[0] + 1, eye[1], eye[2]]) => ({eye, target, up: [0, 0, 1], fovY: 60, aspect: 1.6, near: 0.1});
+
+/** Who is caught in the last of these frames. */
+async function caughtIn(boxes, cameras, colours) {
+  const {load} = await import(`${dist}/occlude.mjs`), {Culling} = await part("culling"), {Judge, newScores} = await part("judge");
+  const occlude = await load(), model = await modelOf(boxes, colours), judge = new Judge(await painterOf(model), model);
+  let caught;
+  for (const method of ["polygons", "objects"]) {
+    const culling = new Culling(occlude, model, method), scores = newScores();
+    judge.restart();
+    for (const camera of cameras) caught = judge.judge(camera, culling.cull(camera, {margin: 0}, 0, 0), 0, [800, 500], scores);
+    assert.equal(scores.occlude.wrongFrames, 0, `${method}: ours`);
+    culling.dispose();
+  }
+  return caught;
+}
+const names = caught => caught.map(({accused}) => accused).sort();
+
+// A gap of 2 cm at 10 m is 1.4 pixels of the picture, and .6 of the coarse one, whose centres miss it.
+const gap = 10.02, wallWithGap = [box(10, -20, -20, 10.5, 0.01, 20), box(10, 0.03, -20, 10.5, 20, 20)];
+
+test("coarse rays and depth pyramids are caught where something shows through a gap", isMade, async () => {
+  const caught = await caughtIn([...wallWithGap, box(20, -1, -1, 21, 1, 1)], [looking([0, 0, 0])]);
+  assert.deepEqual(names(caught), ["pyramid", "rays"]);
+  for (const {object, pixels, proof} of caught) {
+    assert.equal(object, 2);
+    assert.ok(pixels > 10, `${pixels} pixels`);
+    assert.ok(Math.floor(proof.triangle / 12) === 2 && proof.missed === 35 && gap > 10);
+  }
+});
+
+test("nobody is caught where the gap is closed", isMade, async () => {
+  assert.deepEqual(names(await caughtIn([...wallWithGap, box(20, -1, -1, 21, 1, 1), box(9.5, -1, -20, 9.9, 1, 20)], [looking([0, 0, 0])])), []);
+});
+
+test("the depth of the last frame is caught where the camera comes round a corner", isMade, async () => {
+  const boxes = [box(10, -20, -20, 10.5, 0, 20), box(20, -1, -1, 21, -0.2, 1)];
+  assert.deepEqual(names(await caughtIn(boxes, [looking([0, -2, 0]), looking([0, 1, 0])])), ["last"]);
+  assert.deepEqual(names(await caughtIn(boxes, [looking([0, -2, 0])])), [], "while it is hidden, and in the first frame");
+  assert.deepEqual(names(await caughtIn(boxes, [looking([0, 1, 0]), looking([0, 1, 0])])), [], "while it shows");
+});
+
+test("what light comes through hides nothing, and nobody is caught for it", isMade, async () => {
+  const boxes = [box(10, -20, -20, 10.5, 20, 20), box(20, -1, -1, 21, 1, 1)];
+  assert.deepEqual(names(await caughtIn(boxes, [looking([0, 0, 0])], i => (i === 0 ? 0 : 255))), []);
+});
+
+test("a package that hid what shows would be caught", isMade, async () => {
+  const {Judge, newScores} = await part("judge"), {Fate} = await part("frame");
+  const model = await modelOf([box(10, -1, -1, 11, 1, 1)]), judge = new Judge(await painterOf(model), model), scores = newScores();
+  const liar = {index: new Uint32Array(), drawn: new Uint32Array(), counts: {}, tellFates: fates => fates.fill(Fate.hidden)};
+  const [caught] = judge.judge(looking([0, 0, 0]), liar, 0, [160, 100], scores);
+  assert.deepEqual([caught.accused, scores.occlude.wrongFrames, scores.rays.wrongFrames], ["occlude", 1, 0]);
+});
+
+// ---- The rest ----
+
+test("a link names place and settings, to the last digit", isMade, async () => {
+  const {parse, format, defaults} = await part("address");
+  const place = {eye: [1 / 3, -2e-7, 1e6], target: [0.1 + 0.2, 5, 6]};
+  const all = {scene: "town", model: undefined, place, before: {eye: [0, 0, 0], target: [1, 0, 0]},
+    settings: {method: "objects", isCulling: false, budget: 1.5, hold: 0.5, isClay: true, isCatching: true}};
+  assert.deepEqual(parse(format(all)), all);
+  assert.deepEqual(parse(""), {scene: undefined, model: undefined, place: undefined, before: undefined, settings: defaults});
+  assert.equal(parse("#eye=1,2&target=3,4,5").place, undefined);
+  assert.equal(parse("#eye=1,2,3&target=1,2,3").place, undefined, "looking nowhere");
+});
+
+test("a recorded path has a keyframe for each thirtieth of a second, and two at least", isMade, async () => {
+  const {Recorder} = await part("path");
+  const recorder = new Recorder(), at = x => ({eye: [x, 0, 0], target: [x + 1, 0, 0]});
+  recorder.start();
+  recorder.record(at(0), 0);
+  assert.equal(JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0])).keyframes.length, 2);
+  recorder.record(at(1), 0.5);
+  const path = JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0]));
+  assert.deepEqual([path.frames, path.keyframes.length, path.keyframes[15], path.up, path.fov_y_deg, path.near], [16, 16, at(1), [0, 1, 0], 60, 0.1]);
+});
+
+test("objects are at most 256 triangles, and all triangles are there", isMade, async () => {
+  const {Builder} = await part("builder"), builder = new Builder(), next = random(3);
+  const corners = Float32Array.from({length: 9 * 1000}, next);
+  builder.add("Many", corners, new Uint8Array(12 * 1000));
+  const model = builder.model({name: "", up: [0, 0, 1], isColoured: false, cameras: [], flightIn: () => ({})});
+  assert.deepEqual([...model.firsts].map((first, i, all) => (all[i + 1] ?? first) - first), [250, 250, 250, 250, 0]);
+  const sorted = numbers => Array.from({length: 1000}, (_, t) => numbers.slice(9 * t, 9 * t + 9).join()).sort();
+  assert.deepEqual(sorted(model.corners), sorted(corners));
+});
+
+test("built-in scenes are the same each time, and one flies through none of their walls", isMade, async () => {
+  const {scenes} = await part("scenes"), {triangleCount, cornerOf} = await part("model"), {crosses} = await part("proof");
+  assert.equal(scenes.length, 5);
+  for (const {key, make} of scenes) {
+    const model = make();
+    assert.deepEqual(make().corners, model.corners);
+    assert.ok(triangleCount(model) < 150000, `${key}: ${triangleCount(model)} triangles`);
+    const {places} = model.flight;
+    for (let t = 0; t < triangleCount(model); ++t) {
+      const corners = [0, 1, 2].map(c => cornerOf(model, t, c));
+      for (let i = 4; i < places.length; i += 4) {
+        assert.notEqual(crosses(places[i - 4].eye, places[i].eye, ...corners), true, `${key}: triangle ${t} at place ${i}`);
+      }
+    }
+  }
+});
