@@ -25,6 +25,7 @@ void add_why(Command app, int& exit_code);
 void add_validate(Command app, int& exit_code);
 void add_audit(Command app, int& exit_code);
 void add_bake(Command app, int& exit_code);
+void add_prune(Command app, int& exit_code);
 void add_fuzz(Command app, int& exit_code);
 
 /// Subcommands of `bench`.

@@ -70,6 +70,7 @@ void run(int argc, char** argv) {
     occlude::cli::add_validate(app, exit_code);
     occlude::cli::add_audit(app, exit_code);
     occlude::cli::add_bake(app, exit_code);
+    occlude::cli::add_prune(app, exit_code);
     occlude::cli::add_fuzz(app, exit_code);
     add_bench(app);
     occlude::cli::add_help(app, exit_code);

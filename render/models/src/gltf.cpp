@@ -17,6 +17,7 @@
 #include "gltf_meshes.h"
 #include "gltf_nodes.h"
 #include "gltf_primitive.h"
+#include "gltf_scene.h"
 #include "gltf_transform.h"
 #include "import_child.h"
 #include "model_builder.h"
@@ -58,10 +59,7 @@ class SceneReader {
     ModelNotes& notes = builder_.notes();
     notes.file = {1, {0, 1, 0}};
     notes.warnings = check_extensions(document_);
-    for (const std::uint64_t node : nodes_.shown()) {
-      if (find(document_.item(kNodes, node), "mesh") == nullptr) continue;
-      at([&] { return document_.label(kNodes, node); }, [&] { add_node(node); });
-    }
+    for_each_shown(document_, nodes_, meshes_, [&](const Shown& shown) { add(shown); });
     for (const auto& [accessor, used] : used_) notes.unused_vertices += used.unused();
   }
 
@@ -79,23 +77,14 @@ class SceneReader {
     [[nodiscard]] std::uint64_t unused() const { return vertices - count; }
   };
 
-  void add_node(std::uint64_t index) {
-    const json& node = document_.item(kNodes, index);
-    const std::uint64_t mesh = whole_in(node, "mesh");
-    const std::vector<double> weights = weights_of(node, mesh);
+  void add(const Shown& shown) {
+    const json& node = document_.item(kNodes, shown.node);
+    const std::vector<double> weights = weights_of(node, shown.mesh);
     const auto skin = find_whole(node, "skin");
     const Pose pose{weights, skin ? std::span(meshes_.skin(*skin)) : std::span<const glm::dmat4>()};
-    const std::vector<Primitive>& primitives = meshes_.mesh(mesh);
-    for (const glm::dmat4& instance : meshes_.instances(node)) {
-      for (std::size_t i = 0; i < primitives.size(); ++i) {
-        at([&] { return fmt::format("{}: primitive {}", document_.label(kMeshes, mesh), i); },
-           [&] {
-             // What joints move is where they say, wherever the node is.
-             const bool is_skinned = skin && primitives[i].is_skinned();
-             add_primitive(primitives[i], is_skinned ? instance : nodes_.world(index) * instance, pose);
-           });
-      }
-    }
+    // What joints move is where they say, wherever the node is.
+    const bool is_skinned = skin && shown.primitive.is_skinned();
+    add_primitive(shown.primitive, is_skinned ? shown.instance : nodes_.world(shown.node) * shown.instance, pose);
   }
 
   [[nodiscard]] std::vector<double> weights_of(const json& node, std::uint64_t mesh) const {

@@ -18,6 +18,7 @@ namespace occlude::render::gltf {
 
 /// The bytes of `text` in base64 (RFC 4648), with or without padding.
 [[nodiscard]] std::string from_base64(std::string_view text);
+[[nodiscard]] std::string to_base64(std::string_view bytes);
 
 /// Buffers and views of them. They are read when they are first asked for: a buffer that only pictures are in, and one that
 /// a compressed view stands for, need not exist. Spans are good as long as this is there.

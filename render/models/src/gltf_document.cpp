@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace occlude::render::gltf {
@@ -125,6 +126,27 @@ const json* find_extension(const json& object, const char* name) {
   if (find(object, "extensions") == nullptr) return nullptr;
   const json& extensions = object_in(object, "extensions");
   return find(extensions, name) == nullptr ? nullptr : &object_in(extensions, name);
+}
+
+std::string container_of(std::string text, std::string binary) {
+  constexpr std::size_t kAligned = 4;
+  text.resize((text.size() + kAligned - 1) / kAligned * kAligned, ' ');
+  binary.resize((binary.size() + kAligned - 1) / kAligned * kAligned);
+  const std::size_t length = kHeader + 2 * kChunkHeader + text.size() + binary.size();
+  if (length > std::numeric_limits<std::uint32_t>::max()) refuse("what is left does not fit in a container");
+  std::string bytes(kMagic);
+  const auto append = [&](std::size_t number) {
+    const auto value = static_cast<std::uint32_t>(number);
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  append(2);
+  append(length);
+  append(text.size());
+  append(kJsonChunk);
+  bytes += text;
+  append(binary.size());
+  append(kBinaryChunk);
+  return bytes + binary;
 }
 
 Document::Document(std::string bytes) : bytes_(std::move(bytes)) {

@@ -59,6 +59,9 @@ inline constexpr List kBufferViews{"bufferViews", "bufferView"}, kMaterials{"mat
 inline constexpr List kMeshes{"meshes", "mesh"}, kNodes{"nodes", "node"}, kScenes{"scenes", "scene"},
     kSkins{"skins", "skin"};
 
+/// The bytes of a .glb file of these two chunks.
+[[nodiscard]] std::string container_of(std::string text, std::string binary);
+
 /// The file is of glTF 1, which is another format.
 struct OldVersion : InputError {
   OldVersion() : InputError("glTF 1.0 is not supported, but 2.0") {}

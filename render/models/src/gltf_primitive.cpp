@@ -160,6 +160,10 @@ std::uint64_t Primitive::faces() const {
   }
 }
 
+std::uint64_t Primitive::triangles() const {
+  return vertices() == 0 || faces() == 0 || corners() < 3 ? 0 : mode_ == Mode::triangles ? corners() / 3 : faces();
+}
+
 std::span<std::uint32_t> Primitive::face(std::uint64_t i, std::span<std::uint32_t, 3> room) const {
   const std::uint64_t first = mode_ == Mode::triangles ? 3 * i : i;
   const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(corners() - first, 3));

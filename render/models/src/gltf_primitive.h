@@ -35,6 +35,7 @@ class Primitive {
   [[nodiscard]] std::size_t targets() const { return targets_.size(); }
   [[nodiscard]] bool is_skinned() const { return !influences_.empty(); }
   [[nodiscard]] bool is_opaque() const { return is_opaque_; }
+  [[nodiscard]] bool is_compressed() const { return compressed_ != nullptr; }
 
   /// In the coordinates of the mesh or, with a skin, in those of the scene. Refuses a joint that the skin does not have.
   /// REQUIRES: vertex < vertices().
@@ -44,6 +45,8 @@ class Primitive {
   [[nodiscard]] std::uint64_t points_and_lines() const;
   /// Triangles, and at the end a face of one or two corners where some are left over.
   [[nodiscard]] std::uint64_t faces() const;
+  /// Those of three corners, which come first.
+  [[nodiscard]] std::uint64_t triangles() const;
   /// The vertices of face i < faces(), in `room`. Refuses an index that is out of range.
   [[nodiscard]] std::span<std::uint32_t> face(std::uint64_t i, std::span<std::uint32_t, 3> room) const;
 

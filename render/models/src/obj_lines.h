@@ -21,6 +21,8 @@ class Lines {
   Lines(const std::filesystem::path& file, std::string_view bytes);
 
   [[nodiscard]] bool are_over() const { return rest_.empty(); }
+  /// The bytes that are not read yet.
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
   /// The next statement, until the next call. Lines that end in a backslash continue on the next line. Throws InputError for
   /// a zero byte.
   [[nodiscard]] std::string_view next();

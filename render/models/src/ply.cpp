@@ -24,11 +24,7 @@ using ply::Header;
 using ply::Property;
 using ply::ValueReader;
 
-/// Lists of vertices of which three in a row are a triangle, as scanners write them.
-constexpr std::string_view kStrips = "tristrips";
 constexpr std::uint32_t kEndOfStrip = ~std::uint32_t{0};
-
-bool is_of_faces(const Element& element) { return element.name == "face" || element.name == kStrips; }
 
 void read_vertices(ValueReader& values, const Element& element, ModelBuilder& builder) {
   for (std::size_t i = 0; i < element.count; ++i) {
@@ -44,11 +40,6 @@ void read_vertices(ValueReader& values, const Element& element, ModelBuilder& bu
     }
     builder.add_vertex(v, [&] { return values.place(); });
   }
-}
-
-const Property* loop_property(const Element& face) {
-  const Property* plural = face.find("vertex_indices");
-  return plural != nullptr ? plural : face.find("vertex_index");
 }
 
 /// A list of vertices, each checked: of a face, or, with -1 where one ends, of strips of triangles.
@@ -94,8 +85,8 @@ void for_each_triangle(std::span<const std::uint32_t> strips, const Add& add) {
 /// Calls add(loop) for each face of an element of faces or strips.
 template <class Add>
 void read_faces(ValueReader& values, const Element& element, std::size_t vertices, const Add& add) {
-  const Property* const indices = loop_property(element);
-  const bool is_strip = element.name == kStrips;
+  const Property* const indices = element.loop();
+  const bool is_strip = element.name == ply::kStrips;
   LoopReader loops(values, vertices, is_strip);
   for (std::size_t i = 0; i < element.count; ++i) {
     values.enter(element, i);
@@ -132,8 +123,8 @@ void require_declarations(const std::filesystem::path& file, const Header& heade
     if (property == nullptr || property->count) throw InputError(file.string() + ": element vertex has no number " + axis);
   }
   for (const Element& element : header.elements) {
-    const Property* const indices = loop_property(element);
-    if (is_of_faces(element) && (indices == nullptr || !indices->count || !ply::is_integer(indices->type)))
+    const Property* const indices = element.loop();
+    if (element.has_faces() && (indices == nullptr || !indices->count || !ply::is_integer(indices->type)))
       throw InputError(fmt::format("{}: element {} has no list of integers vertex_indices", file.string(), element.name));
   }
 }
@@ -155,7 +146,7 @@ Model read_ply(const std::filesystem::path& file) {
     if (element.name == "vertex") {
       builder.reserve(element.count, 0);
       read_vertices(values, element, builder);
-    } else if (!is_of_faces(element)) {
+    } else if (!element.has_faces()) {
       skip_element(values, element);
     } else if (builder.vertices() == vertices) {
       builder.reserve(0, element.count);

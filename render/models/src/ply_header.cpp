@@ -150,6 +150,11 @@ const Property* Element::find(std::string_view property) const {
   return found == properties.end() ? nullptr : &*found;
 }
 
+const Property* Element::loop() const {
+  const Property* const plural = find("vertex_indices");
+  return plural != nullptr ? plural : find("vertex_index");
+}
+
 const Element* Header::find(std::string_view element) const {
   const auto found = std::ranges::find(elements, element, &Element::name);
   return found == elements.end() ? nullptr : &*found;

@@ -25,12 +25,18 @@ struct Property {
   std::optional<Scalar> count;  ///< type of a list's length; none for a single value
 };
 
+/// Elements of lists of vertices: of each a face, or three in a row a triangle, as scanners write them.
+inline constexpr std::string_view kFaces = "face", kStrips = "tristrips";
+
 struct Element {
   std::string name;
   std::size_t count = 0;
   std::vector<Property> properties;
 
   [[nodiscard]] const Property* find(std::string_view property) const;
+  [[nodiscard]] bool has_faces() const { return name == kFaces || name == kStrips; }
+  /// The list of vertices of a face or of strips.
+  [[nodiscard]] const Property* loop() const;
 };
 
 struct Header {

@@ -25,6 +25,9 @@ class ValueReader {
   /// Skips `property` of one element.
   void skip(const Property& property);
 
+  /// The bytes that are not read yet.
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
+
   /// Throws if the rest of the file is too short for `element`. Call this before allocating memory for it.
   void expect_room_for(const Element& element) const;
   /// Throws if anything follows, except blanks in text.

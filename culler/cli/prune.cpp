@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// occlude prune: the model without what is never seen.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cells.h"
+#include "command_arguments.h"
+#include "commands.h"
+#include "enclosed.h"
+#include "never_seen.h"
+#include "occlude/culler/culler.h"
+#include "occlude/kernel/validity.h"
+#include "occlude/render/console.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/interrupt.h"
+#include "occlude/render/model_parts.h"
+#include "occlude/render/printable.h"
+#include "occlude/render/progress.h"
+#include "path_arguments.h"
+
+namespace occlude::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using render::ModelPart;
+
+constexpr const char *kOutside = "outside", *kCells = "cells", *kPath = "path";
+
+struct PruneArguments {
+  std::string model, out, from, cells;
+  std::vector<std::string> keep;
+  double reach = 0.5;
+  SearchOptions search;
+  ReadArguments read;
+  PathArguments path;
+  bool json = false;
+};
+
+/// Flat cells that every line of sight from outside of the box's hull crosses. Behind an eye out there, there is nothing:
+/// what it sees is seen from any other place on the line farther out. So cells may be far away, where they cost less.
+std::vector<kernel::Aabb> cells_outside(const kernel::Aabb& box) {
+  double longest = 0;
+  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, box.max[axis] - box.min[axis]);
+  kernel::Aabb grown = box;
+  for (int axis = 0; axis < 3; ++axis) {
+    grown.min[axis] = kernel::flushed(box.min[axis] - longest);
+    grown.max[axis] = kernel::flushed(box.max[axis] + longest);
+  }
+  std::vector<kernel::Aabb> cells(6, grown);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const int axis = static_cast<int>(i / 2);
+    (i % 2 == 0 ? cells[i].min[axis] : cells[i].max[axis]) = i % 2 == 0 ? grown.max[axis] : grown.min[axis];
+  }
+  return cells;
+}
+
+/// Boxes of all eyes no farther than `reach`, along each axis, from the way from each frame's eye to the next.
+std::vector<kernel::Aabb> cells_along(const render::CameraPath& path, double reach) {
+  std::vector<kernel::Aabb> cells;
+  glm::dvec3 last = path.camera(0, 1).eye;
+  const auto around = [&](const glm::dvec3& a, const glm::dvec3& b) {
+    kernel::Aabb box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.min[axis] = kernel::flushed(std::min(a[axis], b[axis]) - reach);
+      box.max[axis] = kernel::flushed(std::max(a[axis], b[axis]) + reach);
+    }
+    return box;
+  };
+  glm::dvec3 begin = last;
+  for (std::size_t frame = 1; frame < path.frames; ++frame) {
+    last = path.camera(frame, 1).eye;
+    cells.push_back(around(begin, last));
+    begin = last;
+  }
+  if (cells.empty()) cells.push_back(around(last, last));
+  return cells;
+}
+
+/// What is left out of the faces of a file.
+struct Cut {
+  std::vector<bool> gone;
+  std::size_t kept_by_name = 0;  ///< faces that are never seen, and stay
+  std::size_t fixed = 0, shared = 0;
+};
+
+Cut cut_of(const std::vector<ModelPart>& parts, std::vector<bool> gone, const std::vector<std::string>& keep) {
+  Cut cut;
+  const auto stay = [&](const ModelPart& part, std::size_t& count) {
+    const auto first = gone.begin() + static_cast<std::ptrdiff_t>(part.first),
+               end = first + static_cast<std::ptrdiff_t>(part.count);
+    count += static_cast<std::size_t>(std::count(first, end, true));
+    std::fill(first, end, false);
+  };
+  std::set<std::string> missing(keep.begin(), keep.end());
+  std::map<std::uint64_t, std::vector<const ModelPart*>> shapes;
+  for (const ModelPart& part : parts) {
+    shapes[part.shape].push_back(&part);
+    for (const std::string& name : part.names) missing.erase(name);
+    if (part.is_fixed) stay(part, cut.fixed);
+    const auto is_named = [&](const std::string& name) { return std::ranges::count(keep, name) != 0; };
+    if (std::ranges::any_of(part.names, is_named)) stay(part, cut.kept_by_name);
+  }
+  if (!missing.empty()) refuse("--keep", "nothing in the model has the name " + *missing.begin());
+  const std::vector<bool> goes = render::owners_gone(parts, gone);
+  for (auto& [shape, same] : shapes) {
+    std::erase_if(same, [&](const ModelPart* part) { return goes[part->owner]; });
+    for (std::uint64_t i = 0; same.size() > 1 && i < same.front()->count; ++i) {
+      const auto is_gone = [&](const ModelPart* part) { return gone[part->first + i]; };
+      if (std::ranges::all_of(same, is_gone)) continue;
+      for (const ModelPart* part : same) {
+        cut.shared += gone[part->first + i] ? 1 : 0;
+        gone[part->first + i] = false;
+      }
+    }
+  }
+  cut.gone = std::move(gone);
+  return cut;
+}
+
+/// The faces of what has one name.
+struct Row {
+  std::string node;
+  std::size_t faces = 0, gone = 0;
+};
+
+std::vector<Row> rows_of(const std::vector<ModelPart>& parts, const Cut& cut) {
+  std::vector<Row> rows;
+  std::map<std::string, std::size_t> places;
+  for (const ModelPart& part : parts) {
+    const auto [place, is_new] = places.emplace(part.node, rows.size());
+    if (is_new) rows.push_back({part.node});
+    Row& row = rows[place->second];
+    row.faces += part.count;
+    const auto first = cut.gone.begin() + static_cast<std::ptrdiff_t>(part.first);
+    row.gone += static_cast<std::size_t>(std::count(first, first + static_cast<std::ptrdiff_t>(part.count), true));
+  }
+  return rows;
+}
+
+std::string to_json(const Cut& cut, const std::vector<Row>& rows) {
+  nlohmann::ordered_json told{{"faces", cut.gone.size()},
+                              {"gone", std::ranges::count(cut.gone, true)},
+                              {"kept_by_name", cut.kept_by_name},
+                              {"kept_for_other_instances", cut.shared},
+                              {"kept_as_they_cannot_go", cut.fixed},
+                              {"nodes", nlohmann::ordered_json::array()}};
+  for (const Row& row : rows) told["nodes"].push_back({{"node", row.node}, {"faces", row.faces}, {"gone", row.gone}});
+  return told.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string to_text(const std::string& file, const Cut& cut, const std::vector<Row>& rows) {
+  std::string text = fmt::format("{}: {} of {} faces are gone\n", file, std::ranges::count(cut.gone, true), cut.gone.size());
+  for (const Row& row : rows) {
+    if (row.gone != 0 && !row.node.empty())
+      text += fmt::format("  {}: {} of {}\n", render::printable(row.node), row.gone, row.faces);
+  }
+  const auto add = [&](std::size_t count, const char* why) {
+    if (count != 0) text += fmt::format("{} more are never seen, and stay: {}\n", count, why);
+  };
+  add(cut.kept_by_name, "--keep");
+  add(cut.shared, "other nodes show the same mesh, and something of them is seen there");
+  add(cut.fixed, "they are compressed by Draco, in strips, or shown by what is not shown now");
+  return text;
+}
+
+std::string extension_of(const fs::path& file) { return file.extension().string(); }
+
+/// The polygons of the tree that are never seen.
+std::vector<bool> unseen(const PruneArguments& arguments, const culler::Culler& culler,
+                         const std::vector<kernel::Aabb>& cells) {
+  const culler::Hierarchy& tree = culler.hierarchy();
+  std::vector<bool> is_unseen(tree.soup().size());
+  if (arguments.from == kOutside) is_unseen = enclosed_polygons(tree, render::check_interrupt);
+  std::vector<bool> candidates = is_unseen;
+  candidates.flip();
+  culler.prepare(culler::Method::cover, render::check_interrupt);
+  render::Watch watch("polygons, group");
+  const std::vector<bool> found = never_seen(culler, cells, candidates, arguments.search, std::ref(watch));
+  for (std::size_t p = 0; p < found.size(); ++p) is_unseen[p] = is_unseen[p] || found[p];
+  return is_unseen;
+}
+
+void prune(PruneArguments& arguments) {
+  if (extension_of(arguments.out) != extension_of(arguments.model)) refuse("--out", "expected the format of the model");
+  if ((arguments.from == kCells) != !arguments.cells.empty()) refuse("--cells", "goes with --from cells");
+  render::OutputFile file(arguments.out);
+  const render::FileParts parts = render::parts_of(arguments.model);
+  render::WalkOptions walk;
+  walk.read = arguments.read.options();
+  walk.cull.method = culler::Method::cover;
+  walk.build.hierarchy.leaf_size = 1;  // polygon by polygon
+  render::ModelFile model = open_model(arguments.model, walk);
+  std::vector<kernel::Aabb> cells;
+  if (arguments.from == kPath) cells = cells_along(arguments.path.through(model), arguments.reach);
+  if (arguments.from == kCells) cells = read_cells(arguments.cells);
+  const culler::Culler culler = render::make_culler(std::move(model), walk);
+  const culler::Hierarchy& tree = culler.hierarchy();
+  if (arguments.from == kOutside) cells = cells_outside(tree.nodes()[0].box);
+
+  const std::vector<bool> is_unseen = unseen(arguments, culler, cells);
+  std::vector<bool> gone(tree.face_count(), true);
+  for (std::size_t p = 0; p < is_unseen.size(); ++p) {
+    if (!is_unseen[p]) gone[tree.face(p)] = false;
+  }
+  const Cut cut = cut_of(parts.parts, std::move(gone), arguments.keep);
+  if (std::ranges::count(cut.gone, false) == 0) refuse("--from", "nothing of the model is seen from there");
+  file.write(render::without_faces(arguments.model, cut.gone));
+  file.commit();
+  if (!parts.files.empty() &&
+      !fs::equivalent(fs::absolute(arguments.out).parent_path(), fs::absolute(arguments.model).parent_path())) {
+    warn(arguments.out, fmt::format("it names files that lie beside {}: {}", arguments.model, fmt::join(parts.files, ", ")));
+  }
+  if (parts.has_motion) warn(arguments.model, "it has animations, and was taken as it is at rest");
+  const std::vector<Row> rows = rows_of(parts.parts, cut);
+  arguments.json ? render::print(to_json(cut, rows)) : render::tell(to_text(arguments.out, cut, rows));
+}
+
+}  // namespace
+
+void add_prune(Command app, int&) {
+  Command command = app.add_command("prune", "Write a model again, without the polygons that are never seen");
+  command.footer(
+      "Each polygon that goes is hidden from every eye that --from names, exactly, by polygons with two opaque sides. The "
+      "rest\n"
+      "of the file stays as it is. Some polygons stay though they are hidden: docs/prune.md.\n" +
+      limits_help() +
+      "\n"
+      "Example: occlude prune engine.glb --from outside --out shell.glb --keep label\n"
+      "Example: occlude prune city.ply --from path --path drive.json --reach 2 --out drive.ply");
+  const auto a = std::make_shared<PruneArguments>();
+  add_input(command, "MODEL", a->model, "PLY, OBJ or glTF").required();
+  command
+      .add("--from", a->from,
+           "outside: all eyes outside of the model's convex hull; path: those near a camera path; cells: those in boxes")
+      .required()
+      .one_of({kOutside, kPath, kCells});
+  add_output(command, "--out", a->out, "file to write, of the same format").required();
+  command.add("--keep", a->keep, "name of a node, mesh, object, group or material of which all stays; may be repeated");
+  add_input(command, "--cells", a->cells, "JSON file of boxes, as of bake");
+  a->path.add_to(command, "of --from path");
+  command.add("--reach", a->reach, "how far eyes of --from path are from its way at most, along each axis")
+      .show_default()
+      .in_range(0.0, 1e9);
+  a->read.add_to(command);
+  command.under(kTuning, [&] {
+    command.add("--rays", a->search.rays, "rays to each polygon from random eyes: what one reaches is not looked at further")
+        .show_default()
+        .in_range(std::size_t{0}, std::size_t{1000000});
+    command.add("--effort", a->search.effort, "culls for each polygon at most: more find more")
+        .show_default()
+        .in_range(std::size_t{0}, std::size_t{1000000});
+    command.add("--cover-size", a->search.cover_size, "side of the coarse pictures in pixels: larger ones hide more")
+        .show_default()
+        .in_range(std::size_t{culler::kLeastCoverSide}, std::size_t{culler::kMostCoverSide});
+  });
+  command.add_flag("--json", a->json, "print the counts as JSON");
+  command.run([a] { prune(*a); });
+}
+
+}  // namespace occlude::cli
