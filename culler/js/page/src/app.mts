@@ -46,7 +46,8 @@ export interface Listener {
 }
 
 export class App {
-  readonly #occlude: Occlude;
+  readonly #loading: Promise<Occlude>;
+  #occlude!: Occlude;
   readonly #listener: Listener;
   readonly canvas: HTMLCanvasElement;
   readonly painter: Painter;
@@ -83,8 +84,8 @@ export class App {
   #still = 0;
   #request: number | undefined;
 
-  constructor(occlude: Occlude, canvas: HTMLCanvasElement, settings: Settings, listener: Listener) {
-    this.#occlude = occlude;
+  constructor(loading: Promise<Occlude>, canvas: HTMLCanvasElement, settings: Settings, listener: Listener) {
+    this.#loading = loading;
     this.canvas = canvas;
     this.painter = new Painter(canvas);
     this.settings = settings;
@@ -112,6 +113,7 @@ export class App {
     this.forget();
     this.#step(0);
     await new Promise(resolve => setTimeout(resolve));
+    this.#occlude = await this.#loading;
     this.#prepare();
     this.wake();
   }
