@@ -119,7 +119,8 @@ for (const method of ["polygons", "objects"]) {
 
 /** Draws numbers of triangles by a ray through the centre of each pixel, in doubles. */
 async function painterOf(model) {
-  const {rayOf} = await part("picture"), {subtract, cross, dot} = await part("points"), {cornerOf, triangleCount, isSeeThrough} = await part("model");
+  const {rayOf} = await part("picture"), {subtract, cross, dot} = await part("points");
+  const {cornerOf, triangleCount, isSeeThrough} = await part("model");
   const corners = Array.from({length: triangleCount(model)}, (_, t) => [0, 1, 2].map(c => cornerOf(model, t, c)));
   const numbers = (camera, width, height) => {
     const picture = {triangles: new Uint32Array(width * height), width, height, camera};
@@ -170,7 +171,8 @@ test("coarse rays and depth pyramids are caught where something shows through a 
 });
 
 test("nobody is caught where the gap is closed", isMade, async () => {
-  assert.deepEqual(names(await caughtIn([...wallWithGap, box(20, -1, -1, 21, 1, 1), box(9.5, -1, -20, 9.9, 1, 20)], [looking([0, 0, 0])])), []);
+  const boxes = [...wallWithGap, box(20, -1, -1, 21, 1, 1), box(9.5, -1, -20, 9.9, 1, 20)];
+  assert.deepEqual(names(await caughtIn(boxes, [looking([0, 0, 0])])), []);
 });
 
 test("the depth of the last frame is caught where the camera comes round a corner", isMade, async () => {
@@ -214,8 +216,8 @@ test("a ray proves nothing where it meets or touches something before, but glass
 
 test("a point is in the picture beyond the near plane and within its edges", isMade, async () => {
   const {isInPicture} = await part("picture"), high = 10 * Math.tan(Math.PI / 6), camera = looking([0, 0, 0]);
-  const cases = [[[10, 0, 0], true], [[0.09, 0, 0], false], [[-10, 0, 0], false], [[10, 0, 0.99 * high], true], [[10, 0, 1.01 * high], false],
-    [[10, 1.59 * high, 0], true], [[10, -1.61 * high, 0], false]];
+  const cases = [[[10, 0, 0], true], [[0.09, 0, 0], false], [[-10, 0, 0], false], [[10, 0, 0.99 * high], true],
+    [[10, 0, 1.01 * high], false], [[10, 1.59 * high, 0], true], [[10, -1.61 * high, 0], false]];
   for (const [point, isIn] of cases) assert.equal(isInPicture(camera, point), isIn, String(point));
 });
 
@@ -250,7 +252,8 @@ test("a recorded path has a keyframe for each thirtieth of a second, and two at 
   assert.equal(JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0])).keyframes.length, 2);
   recorder.record(at(1), 0.5);
   const path = JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0]));
-  assert.deepEqual([path.frames, path.keyframes.length, path.keyframes[15], path.up, path.fov_y_deg, path.near], [16, 16, at(1), [0, 1, 0], 60, 0.1]);
+  const {frames, keyframes, up, fov_y_deg: fovY, near} = path;
+  assert.deepEqual([frames, keyframes.length, keyframes[15], up, fovY, near], [16, 16, at(1), [0, 1, 0], 60, 0.1]);
 });
 
 test("objects are at most 256 triangles, and all triangles are there", isMade, async () => {
