@@ -58,7 +58,7 @@ test("a segment crosses, misses, or is not told of where it touches", isMade, as
   assert.equal(at(0, 0, 1), undefined, "it ends on it");
 });
 
-// ---- The judge ----
+// ---- Both methods ----
 
 const box = (x0, y0, z0, x1, y1, z1) => [x0, y0, z0, x1, y1, z1];
 /** Twelve triangles. */
@@ -75,9 +75,52 @@ async function modelOf(boxes, colours = () => 255) {
   return builder.model({name: "Boxes", up: [0, 0, 1], isColoured: true, cameras: [], flightIn: () => ({places: [], seconds: 1})});
 }
 
+const looking = (eye, target = [eye[0] + 1, eye[1], eye[2]]) => ({eye, target, up: [0, 0, 1], fovY: 60, aspect: 1.6, near: 0.1});
+
+/** A wall, what it hides, and what is behind the camera. */
+const room = [box(10, -20, -20, 10.5, 20, 20), box(20, -1, -1, 21, 1, 1), box(-21, -1, -1, -20, 1, 1)];
+
+async function cullingOf(method) {
+  const {load} = await import(`${dist}/occlude.mjs`), {Culling} = await part("culling");
+  return new Culling(await load(), await modelOf(room), method);
+}
+
+for (const method of ["polygons", "objects"]) {
+  test(`${method}: what is hidden and what is out of view are told apart`, isMade, async () => {
+    const culling = await cullingOf(method), frame = culling.cull(looking([0, 0, 0]), {margin: 0}, 0, 0), fates = new Uint8Array(36);
+    frame.tellFates(fates);
+    const {Fate} = await part("frame");
+    assert.ok(fates.subarray(12, 24).every(fate => fate === Fate.hidden) && fates.subarray(24).every(fate => fate === Fate.outOfView));
+    assert.deepEqual([frame.counts.hidden >= 12, frame.counts.outOfView >= 12], [true, true]);
+    const drawn = [];
+    for (let i = 0; i < frame.drawn.length; i += 2) {
+      for (let t = frame.drawn[i]; t < frame.drawn[i] + frame.drawn[i + 1]; ++t) drawn.push(frame.index[3 * t] / 3);
+    }
+    const told = [...fates.keys()].filter(t => fates[t] === Fate.drawn);
+    assert.deepEqual(drawn.sort((a, b) => a - b), told);
+    assert.equal(frame.counts.drawn, told.length);
+    assert.deepEqual(culling.everything.drawn, Uint32Array.of(0, 36));
+  });
+
+  test(`${method}: a frame is held while it holds, and for the same limits`, isMade, async () => {
+    const culling = await cullingOf(method), limits = {margin: 0};
+    const isHeldAt = (x, seconds, hold = 0.5, how = limits) => {
+      culling.cull(looking([x, 0, 0]), how, hold, seconds);
+      return culling.isHeld;
+    };
+    assert.deepEqual([isHeldAt(0, 0), isHeldAt(0.03, 0.1), isHeldAt(0.06, 0.2)], [false, true, true]);
+    assert.equal(isHeldAt(0.07, 0.3, 0.5, {margin: 0.001}), false, "other limits");
+    assert.equal(isHeldAt(5, 0.4, 0.5, {margin: 0.001}), false, "too far away");
+    assert.deepEqual([isHeldAt(5, 0.5, 0), isHeldAt(5, 0.6, 0), isHeldAt(5, 0.7)], [false, false, false], "of one frame alone");
+  });
+}
+
+// ---- The judge ----
+
 /** Draws numbers of triangles by a ray through the centre of each pixel, in doubles. */
 async function painterOf(model) {
-  const {rayOf} = await part("picture"), {subtract, cross, dot} = await part("points"), {cornerOf, triangleCount, isSeeThrough} = await part("model");
+  const {rayOf} = await part("picture"), {subtract, cross, dot} = await part("points");
+  const {cornerOf, triangleCount, isSeeThrough} = await part("model");
   const corners = Array.from({length: triangleCount(model)}, (_, t) => [0, 1, 2].map(c => cornerOf(model, t, c)));
   const numbers = (camera, width, height) => {
     const picture = {triangles: new Uint32Array(width * height), width, height, camera};
@@ -97,8 +140,6 @@ async function painterOf(model) {
   };
   return {numbers};
 }
-
-const looking = (eye, target = [eye[0] + 1, eye[1], eye[2]]) => ({eye, target, up: [0, 0, 1], fovY: 60, aspect: 1.6, near: 0.1});
 
 /** Who is caught in the last of these frames. */
 async function caughtIn(boxes, cameras, colours) {
@@ -130,7 +171,8 @@ test("coarse rays and depth pyramids are caught where something shows through a 
 });
 
 test("nobody is caught where the gap is closed", isMade, async () => {
-  assert.deepEqual(names(await caughtIn([...wallWithGap, box(20, -1, -1, 21, 1, 1), box(9.5, -1, -20, 9.9, 1, 20)], [looking([0, 0, 0])])), []);
+  const boxes = [...wallWithGap, box(20, -1, -1, 21, 1, 1), box(9.5, -1, -20, 9.9, 1, 20)];
+  assert.deepEqual(names(await caughtIn(boxes, [looking([0, 0, 0])])), []);
 });
 
 test("the depth of the last frame is caught where the camera comes round a corner", isMade, async () => {
@@ -151,6 +193,42 @@ test("a package that hid what shows would be caught", isMade, async () => {
   const liar = {index: new Uint32Array(), drawn: new Uint32Array(), counts: {}, tellFates: fates => fates.fill(Fate.hidden)};
   const [caught] = judge.judge(looking([0, 0, 0]), liar, 0, [160, 100], scores);
   assert.deepEqual([caught.accused, scores.occlude.wrongFrames, scores.rays.wrongFrames], ["occlude", 1, 0]);
+});
+
+test("a ray proves nothing where it meets or touches something before, but glass", isMade, async () => {
+  const {prove} = await part("proof"), {ownersOf} = await part("model");
+  const far = box(20, -1, -1, 21, 1, 1), triangleOf = model => ownersOf(model).findIndex((owner, t) => owner === 0 && isFront(model, t));
+  // The side that faces the eye, in two triangles, of which one holds the point at y = .5, z = .25.
+  const isFront = (model, t) => {
+    const corners = model.corners.subarray(9 * t, 9 * t + 9);
+    return [0, 3, 6].every(i => corners[i] === 20) && prove(model, [15, 0.5, 0.25], [1, 0, 0], t) !== undefined;
+  };
+  const proofWith = async (other, colours) => {
+    const model = await modelOf([far, other], colours);
+    return prove(model, [0, 0.5, 0.25], [1, 0, 0], triangleOf(model));
+  };
+  assert.equal((await proofWith(box(5, 3, 3, 6, 4, 4))).missed, 23, "it passes by");
+  assert.equal(await proofWith(box(5, -1, -1, 6, 1, 1)), undefined, "it meets");
+  assert.equal(await proofWith(box(5, -1, 0.25, 6, 1, 1)), undefined, "it touches a side");
+  assert.equal(await proofWith(box(5, 0.5, 0.25, 6, 1, 1)), undefined, "it touches an edge");
+  assert.equal((await proofWith(box(5, -1, -1, 6, 1, 1), i => (i === 1 ? 0 : 255))).missed, 11, "through glass");
+});
+
+test("a point is in the picture beyond the near plane and within its edges", isMade, async () => {
+  const {isInPicture} = await part("picture"), high = 10 * Math.tan(Math.PI / 6), camera = looking([0, 0, 0]);
+  const cases = [[[10, 0, 0], true], [[0.09, 0, 0], false], [[-10, 0, 0], false], [[10, 0, 0.99 * high], true],
+    [[10, 0, 1.01 * high], false], [[10, 1.59 * high, 0], true], [[10, -1.61 * high, 0], false]];
+  for (const [point, isIn] of cases) assert.equal(isInPicture(camera, point), isIn, String(point));
+});
+
+test("rays keep what pixels show, and pyramids what is near or out of the picture", isMade, async () => {
+  const {rivals} = await part("rivals"), {ownersOf} = await part("model");
+  const boxes = [box(10, -30, -30, 11, 30, 30), box(20, -1, -1, 21, 1, 1), box(-5, -1, -1, 5, 1, 1), box(20, 90, 0, 21, 91, 1)];
+  const model = await modelOf(boxes), owners = ownersOf(model), [rays, pyramid] = rivals;
+  const wall = (await painterOf(await modelOf(boxes.slice(0, 1)))).numbers(looking([0, 0, 0]), 32, 20);
+  assert.deepEqual([...pyramid.hide(model, owners, {coarse: wall})], [0, 1, 0, 0]);
+  const last = {...wall, triangles: Uint32Array.of(12, 0, 36)};
+  assert.deepEqual([...rays.hide(model, owners, {coarse: last})], [0, 1, 0, 1], "the last triangles of two boxes show");
 });
 
 // ---- The rest ----
@@ -174,7 +252,8 @@ test("a recorded path has a keyframe for each thirtieth of a second, and two at 
   assert.equal(JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0])).keyframes.length, 2);
   recorder.record(at(1), 0.5);
   const path = JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0]));
-  assert.deepEqual([path.frames, path.keyframes.length, path.keyframes[15], path.up, path.fov_y_deg, path.near], [16, 16, at(1), [0, 1, 0], 60, 0.1]);
+  const {frames, keyframes, up, fov_y_deg: fovY, near} = path;
+  assert.deepEqual([frames, keyframes.length, keyframes[15], up, fovY, near], [16, 16, at(1), [0, 1, 0], 60, 0.1]);
 });
 
 test("objects are at most 256 triangles, and all triangles are there", isMade, async () => {

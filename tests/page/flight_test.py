@@ -13,7 +13,7 @@ import gltf
 
 GREY = [0.5, 0.5, 0.5, 1]
 # A wall, what it hides, what glass does not hide, and what is beside both.
-ROOM = [('Wall', [-2, -2, -10], [4, 4, 0.2], GREY), ('Behind it', [-0.5, -0.5, -15], [1, 1, 1], [1, 0, 0, 1]),
+ROOM = [('Wall', [-2, -2, -10], [4, 4, 0.2], [1, 1, 1, 1]), ('Behind it', [-0.5, -0.5, -15], [1, 1, 1], [1, 0, 0, 1]),
         ('Glass', [3, -2, -10], [4, 4, 0.2], [0.5, 0.5, 1, 0.3]), ('Behind glass', [6, -0.5, -15], [1, 1, 1], GREY)]
 
 
@@ -23,7 +23,8 @@ class Flight(browser.Page):
     def open(self, address=''):
         self.driver.get('about:blank')
         self.driver.get(f'file://{os.getcwd()}/flight.html{address}')
-        self.assertEqual(self.run_later('window.page.then(({app, court}) => Object.assign(window, {app, court})).then(() => "open")'), 'open')
+        opened = self.run_later('window.page.then(({app, court}) => { Object.assign(window, {app, court}); return "open"; })')
+        self.assertEqual(opened, 'open')
         self.addCleanup(self.no_errors)
 
     def no_errors(self):
@@ -74,6 +75,12 @@ class Flight(browser.Page):
         self.drop_model(self.write('room.gltf', gltf.of_boxes(ROOM, [0, 0, 0])))
         self.assertEqual(self.run_script('return [app.model.up, app.model.cameras.map(c => c.name), app.model.names.length]'),
                          [[0, 1, 0], ['Door'], 4])
+        # The wall is white but for its texture.
+        colours = self.run_script('''
+            const {corners, colours, firsts, names} = app.model, first = 3 * firsts[names.indexOf("Wall")], of = {};
+            for (let c = first; c < first + 36; ++c) (of[corners[3 * c]] ??= new Set()).add(colours.slice(4 * c, 4 * c + 4).join());
+            return Object.entries(of).map(([x, found]) => [Number(x), ...found]).sort((a, b) => a[0] - b[0]);''')
+        self.assertEqual(colours, [[-2, '255,0,0,255'], [2, '0,255,0,255']])
         for method in 'polygons', 'objects':
             self.run_script('app.setMethod(arguments[0])', method)
             self.look([0, 0, 0], [0, 0, -1])
@@ -88,9 +95,11 @@ class Flight(browser.Page):
         self.open('#scene=rooms')
         self.drop_model(self.write('room.gltf', gltf.of_boxes(ROOM, [0, 0, 0])))
         self.look([0, 0, 0], [0, 0, -1])
-        middle = self.run_script('const {eye, ratio} = app.views; return [eye.width / 2 / ratio, eye.height / 2 / ratio].map(Math.round)')
-        ActionChains(self.driver).move_to_element_with_offset(
-            self.element('picture'), *(m - s / 2 for m, s in zip(middle, self.run_script('return [innerWidth, innerHeight]')))).click().perform()
+        # From the middle of the page to that of the camera's view.
+        offset = self.run_script('''
+            const {eye, ratio} = app.views;
+            return [eye.width / ratio - innerWidth, eye.height / ratio - innerHeight].map(x => Math.round(x / 2));''')
+        ActionChains(self.driver).move_to_element_with_offset(self.element('picture'), *offset).click().perform()
         self.wait_for('document.getElementById("toast").textContent.includes("is drawn")')
         self.assertIn('“Wall”', self.text('toast'))
         why = self.run_script('return app.why(app.model.firsts[app.model.names.indexOf("Behind it")]).text')

@@ -32,8 +32,8 @@ const kLongestStep = 0.1;
 const kWidestJudged = 1280;
 /** Frames that are still painted when nothing moves: the view from outside comes to rest. */
 const kSettling = 20;
-/** How many pixels high the lens shows what is caught. */
-const kLensPixels = 36;
+/** How many pixels of the picture are as high as the lens: what is caught, if it is a square, is a quarter of that. */
+const lensPixelsOf = ({pixels}: Catch): number => Math.min(40, Math.max(8, 4 * Math.sqrt(pixels)));
 
 /** Whoever wants to know. */
 export interface Listener {
@@ -46,7 +46,8 @@ export interface Listener {
 }
 
 export class App {
-  readonly #occlude: Occlude;
+  readonly #loading: Promise<Occlude>;
+  #occlude!: Occlude;
   readonly #listener: Listener;
   readonly canvas: HTMLCanvasElement;
   readonly painter: Painter;
@@ -83,8 +84,8 @@ export class App {
   #still = 0;
   #request: number | undefined;
 
-  constructor(occlude: Occlude, canvas: HTMLCanvasElement, settings: Settings, listener: Listener) {
-    this.#occlude = occlude;
+  constructor(loading: Promise<Occlude>, canvas: HTMLCanvasElement, settings: Settings, listener: Listener) {
+    this.#loading = loading;
     this.canvas = canvas;
     this.painter = new Painter(canvas);
     this.settings = settings;
@@ -112,6 +113,7 @@ export class App {
     this.forget();
     this.#step(0);
     await new Promise(resolve => setTimeout(resolve));
+    this.#occlude = await this.#loading;
     this.#prepare();
     this.wake();
   }
@@ -330,7 +332,7 @@ export class App {
   /** What shows, and beside it what the accused draws. */
   #paintLens(caught: Catch): void {
     const {x, y, width, height} = this.lens, half = width / 2;
-    const pixels = kLensPixels / this.views.eye.height;
+    const pixels = lensPixelsOf(caught) / this.views.eye.height;
     const camera = {...caught.camera, target: caught.proof.to, fovY: kFovY * pixels, aspect: half / height};
     const look = this.#lookOf(undefined, false, []);
     this.painter.paint({x, y, width: half, height}, camera, look);
@@ -341,7 +343,8 @@ export class App {
   get lens(): Viewport {
     const {eye, ratio} = this.views;
     const height = Math.round(Math.min(180 * ratio, 0.22 * eye.width)), width = 2 * height;
-    const above = eye.y > 0 ? 30 * ratio : 110 * ratio;
+    // The bar is below, but for a view that is above the other; a card is beside the lens where there is room for one.
+    const above = (eye.y > 0 ? 30 : this.canvas.clientHeight < 480 ? 85 : 110) * ratio;
     return {x: eye.x + eye.width - width - 12 * ratio, y: eye.y + above, width, height};
   }
 

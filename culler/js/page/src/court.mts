@@ -88,7 +88,7 @@ export class Court {
     byId("card-text").textContent =
       `It leaves out “${model.names[caught.object]!}”, which shows at ${pixelsOf(caught)} of this picture. The ray from the eye ` +
       `through the marked one reaches triangle ${caught.proof.triangle} and misses all ${grouped(caught.proof.missed)} others ` +
-      "that could hide it. Each sign in this proof is beyond what rounding can change.";
+      "that could hide it.";
   }
 
   /** Judges stretches of the flights of all scenes, without a stop. */

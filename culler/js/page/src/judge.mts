@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Catches cullers that hide what shows. A picture of all triangles proposes what shows at the centre of a pixel; it counts only if a ray
 // is proved to reach it.
-import {axesOf, halfSizeOf, type Camera} from "./camera.mjs";
+import type {Camera} from "./camera.mjs";
 import {Fate, type Frame} from "./frame.mjs";
 import {ownersOf, triangleCount, type Model} from "./model.mjs";
-import {rayOf, type Picture} from "./picture.mjs";
+import {isInPicture, rayOf, type Picture} from "./picture.mjs";
 import {prove, type Proof} from "./proof.mjs";
 import {kCoarseWidth, rivals, type RivalKey} from "./rivals.mjs";
 import type {Painter} from "./painter.mjs";
-import {dot, subtract} from "./points.mjs";
 
 export type AccusedKey = RivalKey | "occlude";
 
@@ -106,7 +105,7 @@ export class Judge {
     for (const {object, pixels, pixel} of tries) {
       const x = pixel % shown.width, y = Math.floor(pixel / shown.width), {camera} = shown;
       const proof = prove(this.#model, camera.eye, rayOf(shown, x, y), shown.triangles[pixel]! - 1);
-      if (proof === undefined || !isInPicture(camera, proof)) continue;
+      if (proof === undefined || !isInPicture(camera, proof.to)) continue;
       const at = [(x + 0.5) / shown.width, (y + 0.5) / shown.height] as const;
       return {accused, proof, object, pixels: pixels.length, at, camera, hidden, before: this.#before?.camera};
     }
@@ -116,11 +115,3 @@ export class Judge {
 
 /** Some that are likely to be in the middle of what shows. */
 const middlesOf = (pixels: readonly number[]): number[] => [0.5, 0.25, 0.75, 0.1].map(share => pixels[Math.floor(share * pixels.length)]!);
-
-/** Whether the end of the ray is before the near plane's back and within the picture's edges, with room for rounding. */
-function isInPicture(camera: Camera, {to}: Proof): boolean {
-  const {right, up, forward} = axesOf(camera), [wide, high] = halfSizeOf(camera), relative = subtract(to, camera.eye);
-  const depth = dot(relative, forward), most = 1 - 1e-9;
-  const isInside = (axis: typeof right, half: number) => Math.abs(dot(relative, axis)) < depth * half * most;
-  return depth * most > camera.near && isInside(right, wide) && isInside(up, high);
-}

@@ -5,19 +5,20 @@ import {load} from "occlude";
 import {parse} from "./address.mjs";
 import {App, type Source} from "./app.mjs";
 import {Court} from "./court.mjs";
-import {byId, tell} from "./elements.mjs";
+import {byId, grouped, tell} from "./elements.mjs";
 import type {Place} from "./camera.mjs";
-import type {Model} from "./model.mjs";
+import {triangleCount, type Model} from "./model.mjs";
 import {Panel} from "./panel.mjs";
 import {listen} from "./pointers.mjs";
 import {read} from "./read.mjs";
 import {scenes} from "./scenes.mjs";
 
+/** Triangles of a model whose culler is there in less than a second or two. */
+const kQuick = 150000;
+
 async function start(): Promise<{app: App; court: Court}> {
   const address = parse(location.hash);
-  const code = Uint8Array.from(atob(byId("module").textContent!), character => character.charCodeAt(0));
-  const occlude = await load(code);
-  const app = new App(occlude, byId<HTMLCanvasElement>("picture"), address.settings, {
+  const app = new App(load(bytesOf(byId("module").textContent!)), byId<HTMLCanvasElement>("picture"), address.settings, {
     onFrame() {
       panel.tellFrame();
       court.onFrame();
@@ -32,6 +33,7 @@ async function start(): Promise<{app: App; court: Court}> {
   });
 
   async function open(model: Model, source: Source, place?: Place): Promise<void> {
+    if (triangleCount(model) > kQuick) tell(`Preparing the culler of ${grouped(triangleCount(model))} triangles …`, 600);
     await app.open(model, source, place);
     panel.tellModel();
     court.restart();
@@ -40,15 +42,17 @@ async function start(): Promise<{app: App; court: Court}> {
     tell("Reading …", 600);
     await new Promise(resolve => setTimeout(resolve));
     await open(await read(new Map(files.map(file => [file.name, file]))), {});
-    tell(`${app.model.name} is open: it has not left this computer.`);
+    tell(`${app.model.name} is open. It has not left this computer.`);
   }
   async function openAddress(): Promise<void> {
     const {scene, model, place, before, settings} = parse(location.hash);
     Object.assign(app.settings, settings);
     if (model !== undefined) {
+      tell(`Reading ${model} …`, 600);
       const answer = await fetch(model);
       if (!answer.ok) throw new Error(`${model}: ${answer.status} ${answer.statusText}`);
       await open(await read(new Map([[model.split("/").at(-1)!, await answer.blob()]])), {model}, place);
+      tell(`${app.model.name} is open.`, 3);
     } else {
       const found = scenes.find(({key}) => key === scene) ?? scenes[0]!;
       await open(found.make(), {scene: found.key}, place);
@@ -73,6 +77,12 @@ async function start(): Promise<{app: App; court: Court}> {
   matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => app.wake());
   await openAddress();
   return {app, court};
+}
+
+function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  const text = atob(base64), bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes;
 }
 
 declare global {

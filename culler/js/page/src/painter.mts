@@ -142,6 +142,7 @@ export class Painter {
     gl.uniform3fv(uniforms.hidden!, hiddenColour);
     gl.uniform3fv(uniforms.outOfView!, look.isDark ? pale.dark : pale.light);
     gl.uniform3fv(uniforms.marked!, look.marked?.colour ?? hiddenColour);
+    gl.uniform1f(uniforms.hatching!, 9 * Math.max(1, devicePixelRatio));
     gl.uniform2ui(uniforms.markedRange!, look.marked?.first ?? 0, look.marked?.end ?? 0);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.#fates);

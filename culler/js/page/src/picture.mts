@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import {axesOf, halfSizeOf, type Camera} from "./camera.mjs";
 import type {Model} from "./model.mjs";
-import {add, scale, type Point} from "./points.mjs";
+import {add, dot, scale, subtract, type Point} from "./points.mjs";
 
 /** Which triangle each pixel shows, from 1, row after row from below; 0: none. As the graphics card draws them, at the pixels' centres. */
 export interface Picture {
@@ -16,6 +16,13 @@ export function rayOf({width, height, camera}: Picture, x: number, y: number): P
   const {right, up, forward} = axesOf(camera);
   const [wide, high] = halfSizeOf(camera);
   return add(forward, add(scale(right, ((2 * x + 1) / width - 1) * wide), scale(up, ((2 * y + 1) / height - 1) * high)));
+}
+
+/** Whether a point is certainly beyond the near plane and within the edges, with room for rounding. */
+export function isInPicture(camera: Camera, point: Point): boolean {
+  const {right, up, forward} = axesOf(camera), [wide, high] = halfSizeOf(camera), relative = subtract(point, camera.eye);
+  const depth = dot(relative, forward) * (1 - 1e-9);
+  return depth > camera.near && Math.abs(dot(relative, right)) < depth * wide && Math.abs(dot(relative, up)) < depth * high;
 }
 
 /** The distance along the line of sight of what each pixel shows, in single precision; infinite where there is nothing. */

@@ -52,6 +52,7 @@ precision highp usampler2D;
 uniform usampler2D fates;
 uniform bool showsFates, showsClay, showsHidden, showsOutOfView;
 uniform vec3 hidden, outOfView, marked;
+uniform float hatching;  // pixels from stripe to stripe
 uniform uvec2 markedRange;  // triangles: the first and the one after the last
 out vec4 colour;
 
@@ -71,6 +72,8 @@ void main() {
   bool isMarked = triangle >= markedRange.x && triangle < markedRange.y;
   vec3 base = showsClay ? clay(abs(dot(normal, up))) : tint;
   base = isMarked ? marked : fate == 1u ? hidden : fate == 2u ? outOfView : base;
+  // For colour-blind readers what is hidden is striped as well.
+  if (fate == 1u && fract((gl_FragCoord.x + gl_FragCoord.y) / hatching) < 0.3) base = mix(base, vec3(1), 0.28);
   vec3 helper = abs(up.x) < 0.9 ? vec3(1, 0, 0) : vec3(0, 1, 0), east = normalize(cross(up, helper));
   vec3 sun = normalize(0.75 * up + 0.35 * east + 0.5 * cross(up, east));
   float light = 0.55 + 0.17 * dot(normal, up) + 0.42 * max(0.0, dot(normal, sun));
