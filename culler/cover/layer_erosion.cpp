@@ -7,6 +7,8 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +28,9 @@ constexpr std::size_t kMostReach = LayerErosion::Reach::kMost;
 /// nearer in one layer than in the other, so that without this limit nearly all that is closed in both would be taken over.
 constexpr float kWorthShare = 1.0F / 16;
 
+/// Strips of the least of 1, 2, 4, ... numbers, up to as many as rays of a pixel may pass.
+constexpr std::size_t kStrips = std::bit_width(2 * kMostReach + 1);
+
 /// The tiles in which so many pixels beside a tile may be.
 std::size_t tiles_of(int pixels) { return static_cast<std::size_t>(pixels + kTile - 1) / kTile; }
 
@@ -38,11 +43,17 @@ struct Erosion {
   float *to, *nearest_to, *farthest_to;
   std::uint8_t* wanted;  ///< of each tile, whether it may come nearer
   std::uint8_t* asked;   ///< of each tile of the nearer layer, whether a tile needs its pixels across
-  float* strip;          ///< a row of tiles of the nearer layer, pixel row by pixel row, with open pixels before and after
-  float* rows;           ///< for each pixel of it, row by row, the least of those that the rays of such a column pass
+  /// kStrips: a row of tiles of the nearer layer, pixel row by pixel row, with open pixels before and after; and for each
+  /// place of it the least of the 2, 4, ... from there on.
+  float* strip;
+  float* rows;  ///< for each pixel of it, row by row, the least of those that the rays of such a column pass
 
   [[nodiscard]] std::size_t width() const { return tiles_across * kTile; }
   [[nodiscard]] std::size_t stride() const { return width() + 2 * kMostReach; }
+  /// Column `x` of a pixel row of a strip.
+  [[nodiscard]] float* at(std::size_t which, std::size_t row, std::size_t x) const {
+    return strip + (which * kTile + row) * stride() + kMostReach + x;
+  }
 };
 
 }  // namespace
@@ -61,10 +72,10 @@ using Row = hn::Vec<RowTag>;
 
 constexpr RowTag kRow;
 
-/// The least at a place and at all places from `low` to `high` beside it, `step` numbers apart.
-HWY_INLINE Row least_of(const float* at, const LayerErosion::Reach& reach, std::ptrdiff_t step) {
-  Row least = hn::LoadU(kRow, at);
-  for (std::ptrdiff_t k = reach.low; k <= reach.high; ++k) least = hn::Min(least, hn::LoadU(kRow, at + k * step));
+/// The least of the numbers `from`, ..., `to` times `step` beside a place. REQUIRES: from <= to.
+HWY_INLINE Row least_of(const float* at, std::ptrdiff_t from, std::ptrdiff_t to, std::ptrdiff_t step) {
+  Row least = hn::LoadU(kRow, at + from * step);
+  for (std::ptrdiff_t k = from + 1; k <= to; ++k) least = hn::Min(least, hn::LoadU(kRow, at + k * step));
   return least;
 }
 
@@ -72,43 +83,95 @@ HWY_INLINE Row least_of(const float* at, const LayerErosion::Reach& reach, std::
 HWY_INLINE void unpack(const Erosion& e, std::size_t tile_row, std::size_t x) {
   const Row open = hn::Set(kRow, kOpen), never = hn::Set(kRow, e.never);
   const float* const tile = e.from + (tile_row * e.tiles_across + x) * kTilePixels;
-  float* const column = e.strip + kMostReach + x * kTile;
   for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(kRow)) {
     const Row nearness = hn::LoadU(kRow, tile + i);
-    hn::StoreU(hn::IfThenElse(hn::Gt(nearness, never), nearness, open), kRow, column + i / kTile * e.stride() + i % kTile);
+    hn::StoreU(hn::IfThenElse(hn::Gt(nearness, never), nearness, open), kRow, e.at(0, i / kTile, x * kTile + i % kTile));
   }
 }
 
-/// For each pixel of the tiles of a row that are asked, finds the least across.
+/// Makes the other strips of the first one, so that the last has the least of `most` or fewer, but more than half as many.
+HWY_INLINE void double_strips(const Erosion& e, std::size_t most) {
+  for (std::size_t which = 1; std::size_t{1} << which <= most; ++which) {
+    const std::size_t half = std::size_t{1} << (which - 1), numbers = e.stride() - 2 * half + 1;
+    for (std::size_t row = 0; row < kTile; ++row) {
+      const float* const from = e.at(which - 1, row, 0) - kMostReach;
+      float* const to = e.at(which, row, 0) - kMostReach;
+      for (std::size_t i = 0; i < numbers; i += hn::Lanes(kRow)) {
+        hn::StoreU(hn::Min(hn::LoadU(kRow, from + i), hn::LoadU(kRow, from + i + half)), kRow, to + i);
+      }
+    }
+  }
+}
+
+/// For each pixel of the tiles of a row that are asked, finds the least across: of two powers of two that overlap.
 HWY_INLINE void find_least_across(const Erosion& e, std::size_t tile_row) {
   const std::uint8_t* const asked = e.asked + tile_row * e.tiles_across;
-  std::size_t unpacked = 0;
+  std::size_t unpacked = 0, most = 0;
   for (std::size_t x = 0; x < e.tiles_across; ++x) {
     if (asked[x] == 0) continue;
     const LayerErosion::Reach& reach = e.across[x];
     const std::size_t left = tiles_of(-reach.low), end = std::min(x + 1 + tiles_of(reach.high), e.tiles_across);
     for (unpacked = std::max(unpacked, x - std::min(x, left)); unpacked < end; ++unpacked) unpack(e, tile_row, unpacked);
+    most = std::max(most, reach.count());
+  }
+  if (most == 0) return;
+  double_strips(e, most);
+  for (std::size_t x = 0; x < e.tiles_across; ++x) {
+    if (asked[x] == 0) continue;
+    const LayerErosion::Reach& reach = e.across[x];
+    const auto which = static_cast<std::size_t>(std::bit_width(reach.count()) - 1);
+    const std::ptrdiff_t second = reach.high + 1 - (std::ptrdiff_t{1} << which);
     for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(kRow)) {
       const std::size_t row = i / kTile, column = x * kTile + i % kTile;
-      const Row least = least_of(e.strip + row * e.stride() + kMostReach + column, reach, 1);
+      const float* const at = e.at(which, row, column);
+      const Row least = hn::Min(hn::LoadU(kRow, at + reach.low), hn::LoadU(kRow, at + second));
       hn::StoreU(least, kRow, e.rows + (tile_row * kTile + row) * e.width() + column);
     }
   }
 }
 
-/// Brings the pixels of a tile nearer, in rows from `first` to before `end`.
-HWY_INLINE void bring_nearer(const Erosion& e, std::size_t tile_row, std::size_t x, std::size_t first, std::size_t end) {
+/// The least of the pixels that the rays of each pixel of a column of a tile pass, from row `first` to before `end`: what
+/// all rows have in common, and what each has below and above that.
+HWY_INLINE void find_least_up(const float* column, std::ptrdiff_t step, const LayerErosion::Reach& up, std::ptrdiff_t first,
+                              std::ptrdiff_t end, float* least) {
+  const auto of_row = [&](std::ptrdiff_t row) { return least + (row - first) * kTile; };
+  const std::ptrdiff_t last = end - 1;
+  if (last + up.low > first + up.high) {
+    for (std::ptrdiff_t row = first; row < end; ++row) {
+      hn::StoreU(least_of(column, row + up.low, row + up.high, step), kRow, of_row(row));
+    }
+    return;
+  }
+  const Row common = least_of(column, last + up.low, first + up.high, step);
+  Row below = common, above = common;
+  hn::StoreU(common, kRow, of_row(last));
+  for (std::ptrdiff_t row = last - 1; row >= first; --row) {
+    below = hn::Min(below, hn::LoadU(kRow, column + (row + up.low) * step));
+    hn::StoreU(below, kRow, of_row(row));
+  }
+  for (std::ptrdiff_t row = first + 1; row < end; ++row) {
+    above = hn::Min(above, hn::LoadU(kRow, column + (row + up.high) * step));
+    hn::StoreU(hn::Min(above, hn::LoadU(kRow, of_row(row))), kRow, of_row(row));
+  }
+}
+
+/// Brings the pixels of a tile nearer, in rows from `first` to before `end`, of which it has some.
+HWY_INLINE void bring_nearer(const Erosion& e, std::size_t tile_row, std::size_t x, std::ptrdiff_t first,
+                             std::ptrdiff_t end) {
   const std::size_t number = tile_row * e.tiles_across + x;
   float* const tile = e.to + number * kTilePixels;
-  const auto step = static_cast<std::ptrdiff_t>(e.width());
+  const auto step = static_cast<std::ptrdiff_t>(e.width()), top = static_cast<std::ptrdiff_t>(tile_row * kTile);
+  first = std::max(first, top);
+  end = std::min(end, top + kTile);
+  std::array<float, kTilePixels> least;
+  least.fill(kOpen);
+  for (std::size_t c = 0; c < kTile; c += hn::Lanes(kRow)) {
+    find_least_up(e.rows + x * kTile + c, step, e.up[tile_row], first, end, least.data() + (first - top) * kTile + c);
+  }
   Row farthest = hn::Set(kRow, hwy::HighestValue<float>()), nearest = hn::Set(kRow, kOpen);
   for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(kRow)) {
-    const std::size_t row = tile_row * kTile + i / kTile;
-    Row nearness = hn::LoadU(kRow, tile + i);
-    if (row >= first && row < end) {
-      nearness = hn::Max(nearness, least_of(e.rows + row * e.width() + x * kTile + i % kTile, e.up[tile_row], step));
-      hn::StoreU(nearness, kRow, tile + i);
-    }
+    const Row nearness = hn::Max(hn::LoadU(kRow, tile + i), hn::LoadU(kRow, least.data() + i));
+    hn::StoreU(nearness, kRow, tile + i);
     farthest = hn::Min(farthest, nearness);
     nearest = hn::Max(nearest, nearness);
   }
@@ -141,10 +204,11 @@ void erode(const Erosion& e) {
   for (std::size_t y = 0; y < e.tiles_up; ++y) {
     // Rays of other rows pass pixels beyond the picture.
     const std::ptrdiff_t first = -e.up[y].low, end = height - e.up[y].high;
-    if (first >= end) continue;
+    const auto top = static_cast<std::ptrdiff_t>(y * kTile);
+    if (std::max(first, top) >= std::min(end, top + kTile)) continue;
     for (std::size_t x = 0; x < e.tiles_across; ++x) {
       if (e.wanted[y * e.tiles_across + x] == 0) continue;
-      bring_nearer(e, y, x, static_cast<std::size_t>(first), static_cast<std::size_t>(end));
+      bring_nearer(e, y, x, first, end);
     }
   }
 }
@@ -181,7 +245,7 @@ void LayerErosion::begin(const ConservativeViewport& picture, const FocusLayers&
     find(across_[layer], tiles_across_, [&](double x) { return picture.ray_moves_across(x, focus, nearer); });
     find(up_[layer], tiles_up_, [&](double y) { return picture.ray_moves_up(y, focus, nearer); });
   }
-  strip_.assign(kTile * (tiles_across_ * kTile + 2 * kMostReach), kOpen);
+  strip_.assign(kStrips * kTile * (tiles_across_ * kTile + 2 * kMostReach), kOpen);
   rows_.resize(tiles_across_ * tiles_up_ * kTilePixels);
   wanted_.resize(2 * tiles_across_ * tiles_up_);
 }

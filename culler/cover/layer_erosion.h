@@ -49,6 +49,8 @@ class LayerErosion {
 
     int low = -kMost - 1, high = kMost + 1;
 
+    /// Of the pixels. REQUIRES: it is not too far.
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(high - low + 1); }
     [[nodiscard]] bool is_too_far() const { return low < -kMost || high > kMost; }
   };
 

@@ -11,6 +11,10 @@
 namespace occlude::culler {
 namespace {
 
+/// A flat region has no room before it in which nothing is, so the layers of its picture would be spread over all
+/// distances. It is taken thicker: by this share of its greatest width to each side.
+constexpr double kLeastShare = 1.0 / 16;
+
 /// The middle of an interval, and half of a length that holds it however that rounds.
 struct Interval {
   Interval(double low, double high) : middle(kernel::flushed(low / 2 + high / 2)) {
@@ -30,7 +34,9 @@ void cull_around(const Culler& culler, const kernel::Aabb& eyes, const CullOptio
   const Interval x(eyes.min.x, eyes.max.x), y(eyes.min.y, eyes.max.y), z(eyes.min.z, eyes.max.z);
   Camera camera;
   camera.eye = {x.middle, y.middle, z.middle};
-  camera.eyes = EyeRegion::box({x.reach, 0, 0}, {0, y.reach, 0}, {0, 0, z.reach});
+  const double least = kernel::flushed(kLeastShare * std::max({x.reach, y.reach, z.reach}));
+  const auto reach = [least](const Interval& of) { return std::max(of.reach, least); };
+  camera.eyes = EyeRegion::box({reach(x), 0, 0}, {0, reach(y), 0}, {0, 0, reach(z)});
   for (const Camera& side : all_around(camera, kernel::kMinMagnitude)) {
     culler.cull(side, options, view);
     take();

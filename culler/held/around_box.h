@@ -12,7 +12,8 @@ namespace occlude::culler {
 /// Culls six frames for all eyes of a box and calls take() after each, whose result is view.result().
 /// 1. From nowhere in the box does a segment reach anything, in any direction, that all six frames cull: it meets an opaque
 ///    polygon strictly between. Nothing is before a near plane.
-/// 2. What of any other box none of the frames shows (View::visibility) is hidden from everywhere in this one.
+/// 2. So it is of any other box that none of the frames shows (View::visibility), and of a polygon if each frame that does
+///    not cull it does not show its box.
 /// Throws as Culler::cull(), and what take() throws. REQUIRES: kernel::check() refuses nothing of the box.
 void cull_around(const Culler& culler, const kernel::Aabb& eyes, const CullOptions& options, View& view,
                  const std::function<void()>& take);
