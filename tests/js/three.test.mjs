@@ -257,7 +257,8 @@ test("boxes of what is still to be loaded", () => {
   const at = (x, z) => new THREE.Box3(new THREE.Vector3(x, 0, z), new THREE.Vector3(x + 1, 1, z + 1));
   assert.equal(occlusion.isHidden(at(0, -20), camera), false, "before the first update");
   occlusion.update(camera);
-  assert.deepEqual([[0, -20], [0, -5], [0, 5], [18, -20]].map(([x, z]) => occlusion.isHidden(at(x, z), camera)), [true, false, true, false]);
+  const hidden = [[0, -20], [0, -5], [0, 5], [18, -20]].map(([x, z]) => occlusion.isHidden(at(x, z), camera));
+  assert.deepEqual(hidden, [true, false, true, false]);
   assert.equal(render(scene, camera).drawn.size, 1);
 });
 
