@@ -280,6 +280,10 @@ test("batched meshes hide by each instance, and each is hidden", () => {
   assert.deepEqual(drawnAfter(() => batch.setVisibleAt(things[1], false)), [wall]);
   assert.equal(batch.getVisibleAt(things[1]), false);
   assert.deepEqual(drawnAfter(() => batch.setVisibleAt(wall, false)), things.filter((_, i) => i !== 1), "the wall is invisible");
+  drawnAfter(() => batch.setVisibleAt(wall, true));
+  batch.setVisibleAt(things[2], false);
+  assert.deepEqual([[...render(scene, camera).instances.get(batch)], batch.getVisibleAt(things[2])], [[wall], false], "changed since");
+  batch.setVisibleAt(things[2], true);
   assert.deepEqual(drawnAfter(() => batch.setVisibleAt(wall, true).setVisibleAt(things[1], true)), [wall]);
   assert.deepEqual(drawnAfter(() => batch.setMatrixAt(things[0], new THREE.Matrix4().setPosition(0, 2, -5))), [wall, things[0]]);
   assert.deepEqual(drawnAfter(() => batch.deleteInstance(wall)), things);
