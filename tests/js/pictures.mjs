@@ -50,7 +50,7 @@ export async function rendererOf(name, width, height) {
 
 /** Draws frames with and without culling. `move` is called before each. */
 export async function compare({kind, isReversed, pictures}, scene, camera, occlusion, frames, move) {
-  const result = {kind, isReversed, frames: 0, different: 0, triangles: 0, allTriangles: 0, colours: 0};
+  const result = {kind, isReversed, frames: 0, different: 0, hidden: 0, triangles: 0, allTriangles: 0, colours: 0};
   await pictures(scene, [camera, camera.clone()]); // the first ones of WebGPURenderer 0.185 lack some shadows
   for (let f = 0; f < frames; ++f) {
     await new Promise(requestAnimationFrame); // WebGPURenderer draws maps of shadows once in a frame of the browser
@@ -62,6 +62,7 @@ export async function compare({kind, isReversed, pictures}, scene, camera, occlu
       colours.add(all.pixels[i] + 256 * all.pixels[i + 1]);
     }
     result.frames += 1;
+    result.hidden += occlusion.hiddenFrom(camera);
     result.triangles += culled.triangles;
     result.allTriangles += all.triangles;
     result.colours = Math.max(result.colours, colours.size);
