@@ -12,7 +12,8 @@ namespace occlude::culler {
 namespace {
 
 /// A flat region has no room before it in which nothing is, so the layers of its picture would be spread over all
-/// distances. It is taken thicker: by this share of its greatest width to each side.
+/// distances. It is taken thicker: by this share of its greatest width to each side, so that it grows by an eighth at most.
+/// Other shares were not tried.
 constexpr double kLeastShare = 1.0 / 16;
 
 /// The middle of an interval, and half of a length that holds it however that rounds.

@@ -128,10 +128,12 @@ export class WorkerScene {
 
   /** The newest comes first. */
   #kept: Kept[] = [];
+  /** A question that is put once the frame is over. */
+  #asking: ReturnType<typeof setTimeout> | undefined;
   #asked: {readonly known: number; readonly camera: LookAtCamera; readonly at: number} | undefined;
   #lastAsked = -Infinity;
   #latency = 0;
-  #before: {readonly camera: LookAtCamera; readonly seconds: number} | undefined;
+  #before: {readonly eye: Point; readonly direction: Point; readonly seconds: number} | undefined;
   #velocity: Point = [0, 0, 0];
   #turning = 0;
   #failure: OccludeError | undefined;
@@ -230,6 +232,7 @@ export class WorkerScene {
   /** Ends the worker. */
   dispose(): void {
     this.#stop();
+    clearTimeout(this.#asking);
     this.#keep([]);
     this.#extent.dispose();
     this.#failure = new OccludeError("disposed", "the WorkerScene was disposed of");
@@ -277,16 +280,16 @@ export class WorkerScene {
 
   /** Finds how the camera moves. */
   #see(camera: Camera, seconds: number): void {
-    const now = this.#occlude.ahead(camera, [0, 0, 0], 0);
-    const before = this.#before;
+    const {eye, target} = "matrix" in camera ? this.#occlude.ahead(camera, [0, 0, 0], 0) : camera;
+    const now = {eye: Array.from(eye), direction: minus(target, eye), seconds}, before = this.#before;
     const time = before ? seconds - before.seconds : 0;
     if (before && time > 0) {
-      this.#velocity = minus(now.eye, before.camera.eye).map(x => x / time);
-      const [a, b] = [before.camera, now].map(({eye, target}) => minus(target, eye)) as [number[], number[]];
+      this.#velocity = minus(now.eye, before.eye).map(x => x / time);
+      const {direction: a} = before, {direction: b} = now;
       const cosine = (a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!) / (lengthOf(a) * lengthOf(b));
       this.#turning = (Math.acos(Math.min(1, cosine)) * 180) / Math.PI / time;
     }
-    this.#before = {camera: now, seconds};
+    this.#before = now;
   }
 
   /** Lets go of all others, and of changes that none of these lacks. */
@@ -301,8 +304,10 @@ export class WorkerScene {
     const isChanged = this.#last > (this.#kept[0]?.known ?? -1);
     const span = Math.min(most, ahead + 2 * this.#latency);
     const isOld = seconds - this.#lastAsked >= span / 4 || seconds < this.#lastAsked;
-    if (this.#asked !== undefined || !(isNeeded || isChanged || isOld)) return;
-    this.#ask(this.#regionOf(camera, span));
+    if (this.#asking !== undefined || this.#asked !== undefined || !(isNeeded || isChanged || isOld)) return;
+    const region = this.#regionOf(camera, span);
+    // A worker that is woken may take the processor from the thread that draws.
+    this.#asking = setTimeout(() => this.#ask(region));
     this.#lastAsked = seconds;
   }
   #regionOf(camera: Camera, span: number): LookAtCamera {
@@ -314,6 +319,7 @@ export class WorkerScene {
     }
   }
   #ask(camera: LookAtCamera): void {
+    this.#asking = undefined;
     const options = {...this.#options, margin: (this.#options.margin ?? 0) * stretchOf(camera)};
     this.#port.postMessage({edits: this.#edits, camera, options} satisfies Question);
     this.#edits = [];
