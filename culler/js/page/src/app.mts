@@ -203,6 +203,7 @@ export class App {
     this.#judge.restart();
     for (const [of, isLast] of [[before, false], [place, true]] as const) {
       if (of === undefined) continue;
+      this.#clock += 1 / kRate;
       this.walker.place = of;
       const caught = this.#cullAndJudge(scores);
       if (isLast) return caught;
@@ -214,6 +215,7 @@ export class App {
   async judgeFlight(from: number, frames: number, scores: Scores): Promise<void> {
     this.#judge.restart();
     for (let f = 0; f < frames; ++f) {
+      this.#clock += 1 / kRate;
       this.walker.place = placeOf(this.model.flight, Math.min(1, from + f / (kRate * this.model.flight.seconds)));
       this.#cullAndJudge(scores);
       this.#paint();
@@ -225,7 +227,7 @@ export class App {
   /** Pixels of the camera's picture that differ with and without culling. */
   differences(place: Place): {pixels: number; different: number; colours: number; hidden: number} {
     this.walker.place = place;
-    this.#cull(0);
+    this.#cull();
     const {width, height} = this.views.eye, look = this.#lookOf(this.frame, false, []);
     const culled = this.painter.picture(this.camera, look, width, height);
     const all = this.painter.picture(this.camera, {...look, frame: this.#culling!.everything}, width, height);
@@ -281,11 +283,12 @@ export class App {
   /** Goes on by so many seconds; returns whether anything moves. */
   #step(seconds: number): boolean {
     const isJudging = this.scores !== undefined && this.#culling !== undefined;
-    const isMoving = this.isFlying ? this.#fly(isJudging ? 1 / kRate : seconds) : this.walker.advance(seconds);
-    this.#clock += seconds;
+    const passed = isJudging && this.isFlying ? 1 / kRate : seconds;
+    const isMoving = this.isFlying ? this.#fly(passed) : this.walker.advance(passed);
+    this.#clock += passed;
     this.recorder.record(this.walker.place, this.#clock - this.#recordedFrom);
     if (isJudging && isMoving) this.#listener.onCatch(this, this.#cullAndJudge(this.scores!));
-    else this.#cull(seconds);
+    else this.#cull();
     this.outside.follow(this.camera, Math.min(1, 2.5 * seconds));
     this.#paint();
     this.#listener.onFrame(this);
@@ -298,18 +301,17 @@ export class App {
     return true;
   }
 
-  #cull(seconds: number): void {
+  #cull(): void {
     this.views = viewsOf(this.canvas, this.shows.outside);
     const {isCulling, budget, hold} = this.settings;
     this.frame = undefined;
     if (!isCulling || this.#culling === undefined) return;
-    this.frame = this.#culling.cull(this.camera, {budget, margin: this.margin}, hold, this.#clock + seconds);
+    this.frame = this.#culling.cull(this.camera, {budget, margin: this.margin}, hold, this.#clock);
     keepLast(this.culls, this.#culling.milliseconds);
   }
 
   #cullAndJudge(scores: Scores): Catch[] {
-    this.#clock += 1 / kRate;
-    this.#cull(0);
+    this.#cull();
     if (this.#culling === undefined) return [];
     const {width, height} = this.views.eye, smaller = Math.min(1, kWidestJudged / width);
     const size = [Math.round(width * smaller), Math.round(height * smaller)] as const;

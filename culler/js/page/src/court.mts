@@ -99,7 +99,7 @@ export class Court {
     for (const scene of scenes) {
       if (!this.#isTouring) break;
       await this.#open(scene);
-      this.#app.isFlying = false;
+      this.#app.setFlying(false);
       const scores = Object.assign(this.scoresOf(scene.title), newScores());
       for (let s = 0; s < kStretches && this.#isTouring; ++s) {
         await this.#app.judgeFlight((s + 0.3) / kStretches, kFramesOfStretch, scores);

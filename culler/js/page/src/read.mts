@@ -134,19 +134,25 @@ function indexOf(geometry: THREE.BufferGeometry): Uint32Array {
   return Uint32Array.from({length: 3 * Math.floor(count / 3)}, (_, i) => (index ? index.getX(i) : i));
 }
 
-/** Of the corners that a group draws with a material: which, and four bytes each. */
+/** Of the corners that groups draw: which, and four bytes each. */
 function coloursOf(mesh: THREE.Mesh, index: Uint32Array) {
   const {geometry, material} = mesh;
-  const groups = Array.isArray(material) ? geometry.groups : [{start: 0, count: index.length, materialIndex: 0}];
-  const kept: number[] = [], bytes: number[] = [];
-  for (const {start, count, materialIndex = 0} of groups) {
-    const of = new ColourOf(geometry, Array.isArray(material) ? material[materialIndex]! : material);
-    for (let at = start; at < Math.min(start + count, index.length); ++at) {
-      kept.push(at);
-      bytes.push(...of.vertex(index[at]!));
+  const given = Array.isArray(material) ? geometry.groups : [{start: 0, count: index.length, materialIndex: 0}];
+  const groups = given.map(({start, count, materialIndex = 0}) => ({
+    start,
+    end: Math.min(start + count, index.length),
+    of: new ColourOf(geometry, Array.isArray(material) ? material[materialIndex]! : material),
+  }));
+  const kept = new Uint32Array(groups.reduce((sum, {start, end}) => sum + Math.max(0, end - start), 0));
+  const colours = new Uint8Array(4 * kept.length);
+  let next = 0;
+  for (const {start, end, of} of groups) {
+    for (let at = start; at < end; ++at, ++next) {
+      kept[next] = at;
+      colours.set(of.vertex(index[at]!), 4 * next);
     }
   }
-  return {kept, colours: Uint8Array.from(bytes)};
+  return {kept, colours};
 }
 
 /** Leaves out triangles with numbers that are none. */
