@@ -55,6 +55,14 @@ std::array<kernel::Aabb, 2> halves_of(const kernel::Aabb& box) {
   return halves;
 }
 
+kernel::Aabb middle_of(const kernel::Aabb& box) {
+  kernel::Aabb middle = box;
+  for (int axis = 0; axis < 3; ++axis) {
+    middle.min[axis] = middle.max[axis] = kernel::flushed(box.min[axis] / 2 + box.max[axis] / 2);
+  }
+  return middle;
+}
+
 /// An interval's middle, and half of a length that holds it however that rounds.
 double reach_of(double low, double middle, double high) {
   const double half = std::max(high - middle, middle - low);
@@ -65,9 +73,9 @@ double reach_of(double low, double middle, double high) {
 std::optional<culler::Camera> camera_for(const kernel::Aabb& cell, const kernel::Aabb& box, double near) {
   culler::Camera camera;
   for (int i = 0; i < 3; ++i) {
-    camera.eye[i] = kernel::flushed(cell.min[i] / 2 + cell.max[i] / 2);
+    camera.eye[i] = middle_of(cell).min[i];
     camera.eyes.half_edges[static_cast<std::size_t>(i)][i] = reach_of(cell.min[i], camera.eye[i], cell.max[i]);
-    camera.target[i] = kernel::flushed(box.min[i] / 2 + box.max[i] / 2);
+    camera.target[i] = middle_of(box).min[i];
   }
   const glm::dvec3 sight = glm::abs(camera.target - camera.eye);
   camera.up = sight.z > sight.x && sight.z > sight.y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
@@ -130,7 +138,7 @@ class Question {
  private:
   /// Those that are hidden from everywhere in the cell, as far as that is found.
   [[nodiscard]] Polygons hidden_of(Polygons polygons, const kernel::Aabb& cell) {
-    constexpr double kFirst = 2, kFinest = 32;  // cells that look longer hide little, and shorter ones hardly more
+    constexpr double kFirst = 4, kFinest = 32;  // cells that look longer hide little, and shorter ones hardly more
     constexpr std::size_t kFew = 4;
     if (polygons.empty() || left_ == 0) return {};
     --left_;
@@ -146,11 +154,15 @@ class Question {
       const Polygons others = hidden_of({middle, shown.end()}, cell);
       still.insert(still.end(), others.begin(), others.end());
     } else if (length_of(cell) > 0 && share < kFinest) {
-      still = hidden_of_halves(shown, cell);
+      still = without(shown, shown_of(shown, middle_of(cell), box));  // what one eye seems to see is not looked at further
+      still = hidden_of_halves(std::move(still), cell);
     }
-    std::erase_if(polygons, [&](std::uint32_t p) {
-      return std::ranges::binary_search(shown, p) && !std::ranges::binary_search(still, p);
-    });
+    return without(std::move(polygons), without(std::move(shown), still));
+  }
+
+  /// The polygons that are not among these others. All are in ascending order.
+  [[nodiscard]] static Polygons without(Polygons polygons, const Polygons& others) {
+    std::erase_if(polygons, [&](std::uint32_t p) { return std::ranges::binary_search(others, p); });
     return polygons;
   }
 
@@ -163,7 +175,7 @@ class Question {
   [[nodiscard]] Polygons shown_of(Polygons polygons, const kernel::Aabb& cell, const kernel::Aabb& box) {
     const std::span<const culler::HierarchyNode> nodes = culler_.hierarchy().nodes();
     // Of what hides, nothing is before the model, and little so near.
-    const double near = std::max(distance_of(cell, nodes[0].box), distance_of(cell, box) / 2) / 9;
+    const double near = std::max(distance_of(cell, nodes[0].box), distance_of(cell, box) / 2) / 32;
     const auto camera = camera_for(cell, box, near);
     if (!camera) return polygons;
     for (const culler::Culled& culled : culler_.cull(*camera, cull_, view_).culled) {
@@ -183,7 +195,7 @@ class Question {
 
   const culler::Culler& culler_;
   Polygons polygons_;
-  std::size_t left_;  ///< culls
+  std::size_t left_;  ///< cells that may still be asked
   culler::CullOptions cull_;
   culler::View view_;
 };

@@ -15,7 +15,7 @@ namespace occlude::cli {
 
 struct SearchOptions {
   std::size_t rays = 256;        ///< to each polygon, from random eyes: what one seems to reach is not asked
-  std::size_t effort = 16;       ///< culls for each polygon that is asked, at most
+  std::size_t effort = 16;       ///< parts of cells that are asked for each polygon, at most
   std::size_t cover_size = 256;  ///< side of the coarse pictures, pixels
 };
 
