@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # `occlude prune`: what is never seen goes, everything else stays as it is, and pictures are equal to the pixel.
-# Usage: prune_test.sh PATH_OF_OCCLUDE PATH_OF_PRUNE_PICTURES
+# Usage: prune_test.sh PATH_OF_OCCLUDE PATH_OF_PRUNE_PICTURES CLOSED_PARTS_PY
 set -uo pipefail
-pictures=$(realpath "$2")
+pictures=$(realpath "$2") parts=$(realpath "$3")
 . "$(dirname "$0")/common.sh"
 
 # box LOW HIGH FIRST: eight corners of a cube. sides FIRST: its six sides, over corners from FIRST on.
@@ -23,8 +23,8 @@ gone() {
   "$occlude" prune "$file" --out "pruned.${file##*.}" --json "$@" >told 2>stderr || fail "$file $*: $(cat stderr)"
   grep -q "\"gone\": $expected," told || fail "$file $*: $expected expected: $(cat told)"
 }
-# same FILE PICTURES: pictures from outside of it and of what was written last are equal.
-same() { "$pictures" "$1" "pruned.${1##*.}" "$2" 1 128 1 >drawn || fail "pictures of $1: $(cat drawn)"; }
+# same FILE PICTURES: pictures from outside of it and of what was written last are equal, and exact rays reach nothing that is gone.
+same() { "$pictures" "$1" "pruned.${1##*.}" "$2" 1000 128 >drawn || fail "pictures of $1: $(cat drawn)"; }
 
 # A closed box with two cubes in it, and one outside; one that touches it from inside.
 all="$(box 0 10)$(box 4 6)$(box 1 1.5)$(box 20 21)" faces="$(sides 0)$(sides 8)$(sides 16)$(sides 24)"
@@ -208,6 +208,18 @@ write('expected.ply', line + outer)
 END
 gone binary.ply 6 --from outside
 cmp expected.ply pruned.ply || fail "the binary PLY"
+
+# Twenty machine parts: four fifths of what pictures do not show is gone, and in fact all of it.
+for seed in $(seq 20); do
+  python3 "$parts" "$seed" part.ply || fail "part $seed cannot be made"
+  "$occlude" prune part.ply --from outside --out pruned.ply >/dev/null || fail "part $seed"
+  same part.ply 10
+  grep -qE ' (100|9[0-9][.0-9]*) % of what' drawn || fail "part $seed: $(cat drawn)"
+done
+
+# The judges find what is wrong: the closed box without its upper side.
+"$pictures" closed.ply open.ply 20 200 128 >drawn
+[ $? -eq 1 ] && grep -q '^picture' drawn && grep -q '^a ray reaches polygon 5,' drawn || fail "a side less is not found: $(cat drawn)"
 
 # The same with any number of threads; and again, of what was written.
 "$occlude" prune closed.ply --from outside --out first.ply >/dev/null && taskset -c 0 "$occlude" prune closed.ply --from outside --out second.ply >/dev/null
