@@ -42,6 +42,23 @@ ply open.ply 32 23 "$all${faces/4 4 5 7 6\\n/}"
 gone open.ply 0 --from outside
 same open.ply 200
 
+# Of a face of several pieces all must be hidden: one of this one is in the box, and others lead out of it.
+ply pieces.ply 14 7 "$(box 0 10)2 2 5\n4 2 5\n4 4 5\n12 4 5\n12 5 5\n2 5 5\n$(sides 0)6 8 9 10 11 12 13\n"
+gone pieces.ply 0 --from outside
+same pieces.ply 50
+
+# A deep well, upside down: only an eye below looks into it. Culls prove that nothing is seen of the tile in it where a lid is
+# somewhat below, which makes it no closed part, and do not without the lid.
+well='-1 -1 0\n-1 -1 10\n-1 1 10\n-1 1 0\n1 -1 0\n1 -1 10\n1 1 10\n1 1 0\n'
+lid='-2 -2 -1\n2 -2 -1\n2 2 -1\n-2 2 -1\n' tile='-.2 -.2 9\n.2 -.2 9\n.2 .2 9\n-.2 .2 9\n'
+walls='4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 3 2 6 7\n4 1 2 6 5\n'
+ply well.ply 12 6 "$well$tile${walls}4 8 9 10 11\n"
+gone well.ply 0 --from outside --rays 0 --effort 5000
+same well.ply 50
+ply lid.ply 16 7 "$well$tile$lid${walls}4 8 9 10 11\n4 12 13 14 15\n"
+gone lid.ply 1 --from outside --effort 5000
+same lid.ply 50
+
 # A window in place of that side hides nothing, unless it is opaque.
 printf 'mtllib glass.mtl\nusemtl wall\no house\n' >window.obj
 printf 'newmtl wall\nKd 1 1 1\nnewmtl glass\nd 0.5\n' >glass.mtl
@@ -67,6 +84,14 @@ gone wall.ply 1 --from cells --cells cells.json
 grep -qa '^4 6 7 8 9' pruned.ply && fail "what is behind the wall stays: $(cat pruned.ply)"
 echo '{"cells":[{"min":[-0.2,-0.2,-0.2],"max":[0.2,0.2,0.2]},{"min":[0,4,0],"max":[0,4,0]}]}' >both.json
 gone wall.ply 0 --from cells --cells both.json
+# The same without rays, so that culls alone decide: from all cells, and from all of each. From the middle of the wide cell, and
+# from the near end of the long one, what is behind the wall is hidden.
+gone wall.ply 1 --from cells --cells cells.json --rays 0
+gone wall.ply 0 --from cells --cells both.json --rays 0
+echo '{"cells":[{"min":[-0.2,-1.6,-0.2],"max":[0.2,1.6,0.2]}]}' >wide.json
+gone wall.ply 0 --from cells --cells wide.json --rays 0
+echo '{"cells":[{"min":[-0.2,-0.2,-0.2],"max":[0.2,4,0.2]}]}' >long.json
+gone wall.ply 0 --from cells --cells long.json --rays 0
 echo '{"frames":2,"keyframes":[{"eye":[-1,0,0],"target":[1,0,0]},{"eye":[0,0,0],"target":[1,0,0]}]}' >path.json
 gone wall.ply 1 --from path --path path.json --reach 0.1
 gone wall.ply 0 --from path --path path.json --reach 3
