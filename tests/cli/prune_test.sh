@@ -88,7 +88,7 @@ gone wall.ply 0 --from cells --cells both.json
 # from the near end of the long one, what is behind the wall is hidden.
 gone wall.ply 1 --from cells --cells cells.json --rays 0
 gone wall.ply 0 --from cells --cells both.json --rays 0
-echo '{"cells":[{"min":[-0.2,-1.6,-0.2],"max":[0.2,1.6,0.2]}]}' >wide.json
+echo '{"cells":[{"min":[-0.2,-1.3,-0.2],"max":[0.2,1.3,0.2]}]}' >wide.json
 gone wall.ply 0 --from cells --cells wide.json --rays 0
 echo '{"cells":[{"min":[-0.2,-0.2,-0.2],"max":[0.2,4,0.2]}]}' >long.json
 gone wall.ply 0 --from cells --cells long.json --rays 0
