@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "held/around_box.h"
 #include "model/bounds.h"
 #include "occlude/kernel/validity.h"
 #include "occlude/render/interrupt.h"
@@ -100,6 +101,31 @@ std::optional<culler::Camera> camera_for(const kernel::Aabb& cell, const kernel:
   return fault(camera).empty() ? std::optional(camera) : std::nullopt;
 }
 
+culler::CullOptions cull_options(const SearchOptions& options) {
+  culler::CullOptions cull;
+  cull.method = culler::Method::cover;
+  cull.cover.width = cull.cover.height = static_cast<int>(options.cover_size);
+  return cull;
+}
+
+/// The polygons that culls of all directions for whole cells show: all at once, as `bake` finds them.
+std::vector<bool> shown_from(const culler::Culler& culler, const std::vector<kernel::Aabb>& cells,
+                             const SearchOptions& options) {
+  std::vector<bool> shown(culler.hierarchy().soup().size());
+  std::mutex mutex;
+  const auto cull = [&](std::size_t cell) {
+    culler::View view;
+    culler::cull_around(culler, cells[cell], cull_options(options), view, [&] {
+      const std::scoped_lock lock(mutex);
+      for (const auto& [first, count] : view.result().drawn) {
+        for (std::uint32_t p = first; p < first + count; ++p) shown[p] = true;
+      }
+    });
+  };
+  culler::parallel_for(cells.size(), cull, render::check_interrupt);
+  return shown;
+}
+
 /// Whether a ray from a random eye seems to reach polygon p.
 bool is_reached(std::uint32_t p, const culler::SoupView& soup, const Segments& segments, std::span<const kernel::Aabb> cells,
                 std::size_t rays) {
@@ -124,10 +150,10 @@ bool is_reached(std::uint32_t p, const culler::SoupView& soup, const Segments& s
 class Question {
  public:
   Question(const culler::Culler& culler, Polygons polygons, const SearchOptions& options)
-      : culler_(culler), polygons_(std::move(polygons)), left_(polygons_.size() * options.effort) {
-    cull_.method = culler::Method::cover;
-    cull_.cover.width = cull_.cover.height = static_cast<int>(options.cover_size);
-  }
+      : culler_(culler),
+        polygons_(std::move(polygons)),
+        left_(polygons_.size() * options.effort),
+        cull_(cull_options(options)) {}
 
   /// Those that are hidden from all cells.
   [[nodiscard]] Polygons hidden_from(std::span<const kernel::Aabb> cells) {
@@ -207,11 +233,13 @@ std::vector<bool> never_seen(const culler::Culler& culler, const std::vector<ker
                              const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const culler::SoupView& soup = culler.hierarchy().soup();
   const Segments segments(culler.hierarchy());
+  const std::vector<bool> is_shown = shown_from(culler, cells, options);
   std::vector<std::uint8_t> is_asked(candidates.size());
   constexpr std::size_t kBlock = 1024;
   const auto choose = [&](std::size_t block) {
     for (std::size_t p = block * kBlock; p < std::min(is_asked.size(), (block + 1) * kBlock); ++p) {
-      if (!candidates[p] || is_reached(static_cast<std::uint32_t>(p), soup, segments, cells, options.rays)) continue;
+      if (!candidates[p] || !is_shown[p] || is_reached(static_cast<std::uint32_t>(p), soup, segments, cells, options.rays))
+        continue;
       is_asked[p] = 1;
     }
   };
@@ -234,6 +262,7 @@ std::vector<bool> never_seen(const culler::Culler& culler, const std::vector<ker
   };
   culler::parallel_for(groups.size(), ask, render::check_interrupt);
   std::vector<bool> is_hidden(is_asked.size());
+  for (std::size_t p = 0; p < is_hidden.size(); ++p) is_hidden[p] = candidates[p] && !is_shown[p];
   for (const Polygons& polygons : groups) {
     for (const std::uint32_t p : polygons) is_hidden[p] = true;
   }

@@ -16,7 +16,7 @@ namespace occlude::cli {
 struct SearchOptions {
   std::size_t rays = 256;        ///< to each polygon, from random eyes: what one seems to reach is not asked
   std::size_t effort = 16;       ///< parts of cells that are asked for each polygon, at most
-  std::size_t cover_size = 256;  ///< side of the coarse pictures, pixels
+  std::size_t cover_size = 384;  ///< side of the coarse pictures, pixels
 };
 
 /// The polygons of the tree that are hidden from everywhere in all cells.
