@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "held/around_box.h"
 #include "model/bounds.h"
 #include "occlude/kernel/validity.h"
 #include "occlude/render/interrupt.h"
@@ -55,6 +56,14 @@ std::array<kernel::Aabb, 2> halves_of(const kernel::Aabb& box) {
   return halves;
 }
 
+kernel::Aabb middle_of(const kernel::Aabb& box) {
+  kernel::Aabb middle = box;
+  for (int axis = 0; axis < 3; ++axis) {
+    middle.min[axis] = middle.max[axis] = kernel::flushed(box.min[axis] / 2 + box.max[axis] / 2);
+  }
+  return middle;
+}
+
 /// An interval's middle, and half of a length that holds it however that rounds.
 double reach_of(double low, double middle, double high) {
   const double half = std::max(high - middle, middle - low);
@@ -65,9 +74,9 @@ double reach_of(double low, double middle, double high) {
 std::optional<culler::Camera> camera_for(const kernel::Aabb& cell, const kernel::Aabb& box, double near) {
   culler::Camera camera;
   for (int i = 0; i < 3; ++i) {
-    camera.eye[i] = kernel::flushed(cell.min[i] / 2 + cell.max[i] / 2);
+    camera.eye[i] = middle_of(cell).min[i];
     camera.eyes.half_edges[static_cast<std::size_t>(i)][i] = reach_of(cell.min[i], camera.eye[i], cell.max[i]);
-    camera.target[i] = kernel::flushed(box.min[i] / 2 + box.max[i] / 2);
+    camera.target[i] = middle_of(box).min[i];
   }
   const glm::dvec3 sight = glm::abs(camera.target - camera.eye);
   camera.up = sight.z > sight.x && sight.z > sight.y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
@@ -90,6 +99,31 @@ std::optional<culler::Camera> camera_for(const kernel::Aabb& cell, const kernel:
   camera.fov_y_deg = std::max(glm::degrees(2 * std::atan(height)), 0.002);
   camera.aspect = width / height;
   return fault(camera).empty() ? std::optional(camera) : std::nullopt;
+}
+
+culler::CullOptions cull_options(const SearchOptions& options) {
+  culler::CullOptions cull;
+  cull.method = culler::Method::cover;
+  cull.cover.width = cull.cover.height = static_cast<int>(options.cover_size);
+  return cull;
+}
+
+/// The polygons that culls of all directions for whole cells show: all at once, as `bake` finds them.
+std::vector<bool> shown_from(const culler::Culler& culler, const std::vector<kernel::Aabb>& cells,
+                             const SearchOptions& options) {
+  std::vector<bool> shown(culler.hierarchy().soup().size());
+  std::mutex mutex;
+  const auto cull = [&](std::size_t cell) {
+    culler::View view;
+    culler::cull_around(culler, cells[cell], cull_options(options), view, [&] {
+      const std::scoped_lock lock(mutex);
+      for (const auto& [first, count] : view.result().drawn) {
+        for (std::uint32_t p = first; p < first + count; ++p) shown[p] = true;
+      }
+    });
+  };
+  culler::parallel_for(cells.size(), cull, render::check_interrupt);
+  return shown;
 }
 
 /// Whether a ray from a random eye seems to reach polygon p.
@@ -115,11 +149,12 @@ bool is_reached(std::uint32_t p, const culler::SoupView& soup, const Segments& s
 /// Asks what of a few polygons that lie together is hidden.
 class Question {
  public:
-  Question(const culler::Culler& culler, Polygons polygons, const SearchOptions& options)
-      : culler_(culler), polygons_(std::move(polygons)), left_(polygons_.size() * options.effort) {
-    cull_.method = culler::Method::cover;
-    cull_.cover.width = cull_.cover.height = static_cast<int>(options.cover_size);
-  }
+  /// Asks at most so many parts of cells.
+  Question(const culler::Culler& culler, Polygons polygons, std::size_t parts, const SearchOptions& options)
+      : culler_(culler),
+        polygons_(std::move(polygons)),
+        left_(parts),
+        cull_(cull_options(options)) {}
 
   /// Those that are hidden from all cells.
   [[nodiscard]] Polygons hidden_from(std::span<const kernel::Aabb> cells) {
@@ -130,7 +165,7 @@ class Question {
  private:
   /// Those that are hidden from everywhere in the cell, as far as that is found.
   [[nodiscard]] Polygons hidden_of(Polygons polygons, const kernel::Aabb& cell) {
-    constexpr double kFirst = 2, kFinest = 32;  // cells that look longer hide little, and shorter ones hardly more
+    constexpr double kFirst = 4, kFinest = 32;  // cells that look longer hide little, and shorter ones hardly more
     constexpr std::size_t kFew = 4;
     if (polygons.empty() || left_ == 0) return {};
     --left_;
@@ -146,11 +181,15 @@ class Question {
       const Polygons others = hidden_of({middle, shown.end()}, cell);
       still.insert(still.end(), others.begin(), others.end());
     } else if (length_of(cell) > 0 && share < kFinest) {
-      still = hidden_of_halves(shown, cell);
+      still = without(shown, shown_of(shown, middle_of(cell), box));  // what one eye seems to see is not looked at further
+      still = hidden_of_halves(std::move(still), cell);
     }
-    std::erase_if(polygons, [&](std::uint32_t p) {
-      return std::ranges::binary_search(shown, p) && !std::ranges::binary_search(still, p);
-    });
+    return without(std::move(polygons), without(std::move(shown), still));
+  }
+
+  /// The polygons that are not among these others. All are in ascending order.
+  [[nodiscard]] static Polygons without(Polygons polygons, const Polygons& others) {
+    std::erase_if(polygons, [&](std::uint32_t p) { return std::ranges::binary_search(others, p); });
     return polygons;
   }
 
@@ -163,7 +202,7 @@ class Question {
   [[nodiscard]] Polygons shown_of(Polygons polygons, const kernel::Aabb& cell, const kernel::Aabb& box) {
     const std::span<const culler::HierarchyNode> nodes = culler_.hierarchy().nodes();
     // Of what hides, nothing is before the model, and little so near.
-    const double near = std::max(distance_of(cell, nodes[0].box), distance_of(cell, box) / 2) / 9;
+    const double near = std::max(distance_of(cell, nodes[0].box), distance_of(cell, box) / 2) / 32;
     const auto camera = camera_for(cell, box, near);
     if (!camera) return polygons;
     for (const culler::Culled& culled : culler_.cull(*camera, cull_, view_).culled) {
@@ -183,7 +222,7 @@ class Question {
 
   const culler::Culler& culler_;
   Polygons polygons_;
-  std::size_t left_;  ///< culls
+  std::size_t left_;  ///< parts of cells that may still be asked
   culler::CullOptions cull_;
   culler::View view_;
 };
@@ -195,11 +234,13 @@ std::vector<bool> never_seen(const culler::Culler& culler, const std::vector<ker
                              const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const culler::SoupView& soup = culler.hierarchy().soup();
   const Segments segments(culler.hierarchy());
+  const std::vector<bool> is_shown = shown_from(culler, cells, options);
   std::vector<std::uint8_t> is_asked(candidates.size());
   constexpr std::size_t kBlock = 1024;
   const auto choose = [&](std::size_t block) {
     for (std::size_t p = block * kBlock; p < std::min(is_asked.size(), (block + 1) * kBlock); ++p) {
-      if (!candidates[p] || is_reached(static_cast<std::uint32_t>(p), soup, segments, cells, options.rays)) continue;
+      if (!candidates[p] || !is_shown[p] || is_reached(static_cast<std::uint32_t>(p), soup, segments, cells, options.rays))
+        continue;
       is_asked[p] = 1;
     }
   };
@@ -213,15 +254,18 @@ std::vector<bool> never_seen(const culler::Culler& culler, const std::vector<ker
     if (groups.empty() || groups.back().size() == kTogether) groups.emplace_back();
     groups.back().push_back(p);
   }
+  const std::size_t asked = static_cast<std::size_t>(std::ranges::count(is_asked, 1));
   std::mutex mutex;
   std::size_t done = 0;
   const auto ask = [&](std::size_t i) {
-    groups[i] = Question(culler, std::move(groups[i]), options).hidden_from(cells);
+    const std::size_t parts = groups[i].size() * options.effort / asked;
+    groups[i] = Question(culler, std::move(groups[i]), parts, options).hidden_from(cells);
     const std::scoped_lock lock(mutex);
     progress(++done, groups.size());
   };
   culler::parallel_for(groups.size(), ask, render::check_interrupt);
   std::vector<bool> is_hidden(is_asked.size());
+  for (std::size_t p = 0; p < is_hidden.size(); ++p) is_hidden[p] = candidates[p] && !is_shown[p];
   for (const Polygons& polygons : groups) {
     for (const std::uint32_t p : polygons) is_hidden[p] = true;
   }

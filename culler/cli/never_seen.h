@@ -15,8 +15,8 @@ namespace occlude::cli {
 
 struct SearchOptions {
   std::size_t rays = 256;        ///< to each polygon, from random eyes: what one seems to reach is not asked
-  std::size_t effort = 16;       ///< culls for each polygon that is asked, at most
-  std::size_t cover_size = 256;  ///< side of the coarse pictures, pixels
+  std::size_t effort = 4096;     ///< parts of cells that are asked at most: in all, shared evenly among the polygons
+  std::size_t cover_size = 384;  ///< side of the coarse pictures, pixels
 };
 
 /// The polygons of the tree that are hidden from everywhere in all cells.

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # `occlude prune`: what is never seen goes, everything else stays as it is, and pictures are equal to the pixel.
-# Usage: prune_test.sh PATH_OF_OCCLUDE PATH_OF_PRUNE_PICTURES
+# Usage: prune_test.sh PATH_OF_OCCLUDE PATH_OF_PRUNE_PICTURES CLOSED_PARTS_PY
 set -uo pipefail
-pictures=$(realpath "$2")
+pictures=$(realpath "$2") parts=$(realpath "$3")
 . "$(dirname "$0")/common.sh"
 
 # box LOW HIGH FIRST: eight corners of a cube. sides FIRST: its six sides, over corners from FIRST on.
@@ -12,9 +12,12 @@ box() {
   for z in "$1" "$2"; do for y in "$1" "$2"; do for x in "$1" "$2"; do printf '%s' "$x $y $z\n"; done; done; done
 }
 sides() {
-  local f=$1
-  printf '%s' "4 $f $((f + 4)) $((f + 6)) $((f + 2))\n4 $((f + 1)) $((f + 3)) $((f + 7)) $((f + 5))\n4 $f $((f + 1)) $((f + 5)) $((f + 4))\n"
-  printf '%s' "4 $((f + 2)) $((f + 6)) $((f + 7)) $((f + 3))\n4 $f $((f + 2)) $((f + 3)) $((f + 1))\n4 $((f + 4)) $((f + 5)) $((f + 7)) $((f + 6))\n"
+  local side corner
+  for side in '0 4 6 2' '1 3 7 5' '0 1 5 4' '2 6 7 3' '0 2 3 1' '4 5 7 6'; do
+    printf 4
+    for corner in $side; do printf ' %d' $((corner + $1)); done
+    printf '%s' '\n'
+  done
 }
 # gone FILE EXPECTED ARGUMENTS...: how many faces are gone.
 gone() {
@@ -23,8 +26,8 @@ gone() {
   "$occlude" prune "$file" --out "pruned.${file##*.}" --json "$@" >told 2>stderr || fail "$file $*: $(cat stderr)"
   grep -q "\"gone\": $expected," told || fail "$file $*: $expected expected: $(cat told)"
 }
-# same FILE PICTURES: pictures from outside of it and of what was written last are equal.
-same() { "$pictures" "$1" "pruned.${1##*.}" "$2" 1 128 1 >drawn || fail "pictures of $1: $(cat drawn)"; }
+# same FILE PICTURES: pictures from outside of it and of what was written last are equal, and exact rays reach nothing that is gone.
+same() { "$pictures" "$1" "pruned.${1##*.}" "$2" 1000 128 >drawn || fail "pictures of $1: $(cat drawn)"; }
 
 # A closed box with two cubes in it, and one outside; one that touches it from inside.
 all="$(box 0 10)$(box 4 6)$(box 1 1.5)$(box 20 21)" faces="$(sides 0)$(sides 8)$(sides 16)$(sides 24)"
@@ -41,6 +44,23 @@ same touching.ply 200
 ply open.ply 32 23 "$all${faces/4 4 5 7 6\\n/}"
 gone open.ply 0 --from outside
 same open.ply 200
+
+# Of a face of several pieces all must be hidden: one of this one is in the box, and others lead out of it.
+ply pieces.ply 14 7 "$(box 0 10)2 2 5\n4 2 5\n4 4 5\n12 4 5\n12 5 5\n2 5 5\n$(sides 0)6 8 9 10 11 12 13\n"
+gone pieces.ply 0 --from outside
+same pieces.ply 50
+
+# A deep well, upside down: only an eye below looks into it. Culls prove that nothing is seen of the tile in it where a lid is
+# somewhat below, which makes it no closed part, and do not without the lid.
+well='-1 -1 0\n-1 -1 10\n-1 1 10\n-1 1 0\n1 -1 0\n1 -1 10\n1 1 10\n1 1 0\n'
+lid='-2 -2 -1\n2 -2 -1\n2 2 -1\n-2 2 -1\n' tile='-.2 -.2 9\n.2 -.2 9\n.2 .2 9\n-.2 .2 9\n'
+walls='4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 3 2 6 7\n4 1 2 6 5\n'
+ply well.ply 12 6 "$well$tile${walls}4 8 9 10 11\n"
+gone well.ply 0 --from outside --rays 0 --effort 5000
+same well.ply 50
+ply lid.ply 16 7 "$well$tile$lid${walls}4 8 9 10 11\n4 12 13 14 15\n"
+gone lid.ply 1 --from outside --effort 5000
+same lid.ply 50
 
 # A window in place of that side hides nothing, unless it is opaque.
 printf 'mtllib glass.mtl\nusemtl wall\no house\n' >window.obj
@@ -67,6 +87,14 @@ gone wall.ply 1 --from cells --cells cells.json
 grep -qa '^4 6 7 8 9' pruned.ply && fail "what is behind the wall stays: $(cat pruned.ply)"
 echo '{"cells":[{"min":[-0.2,-0.2,-0.2],"max":[0.2,0.2,0.2]},{"min":[0,4,0],"max":[0,4,0]}]}' >both.json
 gone wall.ply 0 --from cells --cells both.json
+# The same without rays, so that culls alone decide: from all cells, and from all of each. From the middle of the wide cell, and
+# from the near end of the long one, what is behind the wall is hidden.
+gone wall.ply 1 --from cells --cells cells.json --rays 0
+gone wall.ply 0 --from cells --cells both.json --rays 0
+echo '{"cells":[{"min":[-0.2,-1.3,-0.2],"max":[0.2,1.3,0.2]}]}' >wide.json
+gone wall.ply 0 --from cells --cells wide.json --rays 0
+echo '{"cells":[{"min":[-0.2,-0.2,-0.2],"max":[0.2,4,0.2]}]}' >long.json
+gone wall.ply 0 --from cells --cells long.json --rays 0
 echo '{"frames":2,"keyframes":[{"eye":[-1,0,0],"target":[1,0,0]},{"eye":[0,0,0],"target":[1,0,0]}]}' >path.json
 gone wall.ply 1 --from path --path path.json --reach 0.1
 gone wall.ply 0 --from path --path path.json --reach 3
@@ -102,9 +130,11 @@ house = mesh('house', primitive(*cube(0, 10), 0), primitive(*cube(2, 3), 1))
 inner = mesh('inner', primitive([v[k] for k in i], None, 1))
 chair = mesh('chair', primitive(*cube(0, 1), 1))
 # A shell, and what it shares a list with: first a strip in it, and then a triangle far outside.
-mixed = mesh('mixed', primitive([[6, 6, 1], [7, 6, 1], [6, 7, 1], [7, 7, 1], [30, 0, 0], [31, 0, 0], [30, 1, 0]], [0, 1, 2, 3, 3, 4, 4, 5, 6], 0, 5))
+corners = [[6, 6, 1], [7, 6, 1], [6, 7, 1], [7, 7, 1], [30, 0, 0], [31, 0, 0], [30, 1, 0]]
+mixed = mesh('mixed', primitive(corners, [0, 1, 2, 3, 3, 4, 4, 5, 6], 0, 5))
 doc['nodes'] = [{'name': 'house', 'mesh': house, 'children': [1, 3], 'extras': {'id': 3}}, {'name': 'inner', 'mesh': inner},
-                {'name': 'chair out', 'mesh': chair, 'translation': [20, 0, 0]}, {'name': 'chair in', 'mesh': chair, 'translation': [7, 7, 7]},
+                {'name': 'chair out', 'mesh': chair, 'translation': [20, 0, 0]},
+                {'name': 'chair in', 'mesh': chair, 'translation': [7, 7, 7]},
                 {'name': 'mixed', 'mesh': mixed}]
 doc['buffers'] = [{'byteLength': len(data)}]
 text = json.dumps(doc).encode()
@@ -209,10 +239,23 @@ END
 gone binary.ply 6 --from outside
 cmp expected.ply pruned.ply || fail "the binary PLY"
 
+# Twenty machine parts: four fifths of what pictures do not show is gone, and in fact all of it.
+for seed in $(seq 20); do
+  python3 "$parts" "$seed" part.ply || fail "part $seed cannot be made"
+  "$occlude" prune part.ply --from outside --out pruned.ply >/dev/null || fail "part $seed"
+  same part.ply 10
+  grep -qE ' (100|9[0-9][.0-9]*) % of what' drawn || fail "part $seed: $(cat drawn)"
+done
+
+# The judges find what is wrong: the closed box without its upper side.
+"$pictures" closed.ply open.ply 20 200 128 >drawn
+[ $? -eq 1 ] && grep -q '^picture' drawn && grep -q '^a ray reaches polygon 5,' drawn || fail "a side less is not found: $(cat drawn)"
+
 # The same with any number of threads; and again, of what was written.
-"$occlude" prune closed.ply --from outside --out first.ply >/dev/null && taskset -c 0 "$occlude" prune closed.ply --from outside --out second.ply >/dev/null
+"$occlude" prune lid.ply --from outside --effort 5000 --out first.ply >/dev/null
+taskset -c 0 "$occlude" prune lid.ply --from outside --effort 5000 --out second.ply >/dev/null
 cmp first.ply second.ply || fail "threads"
-gone first.ply 0 --from outside
+gone first.ply 0 --from outside --effort 5000
 
 # Bad input.
 expect_error '--from' "$occlude" prune closed.ply --out bad.ply
