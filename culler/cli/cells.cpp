@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "occlude/kernel/validity.h"
 #include "occlude/render/errors.h"
@@ -23,6 +24,11 @@ using Place = std::array<std::int64_t, 3>;
 
 glm::dvec3 vector_of(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
+/// A point of a segment. Unlike glm::mix it never leaves the box of the ends.
+glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) {
+  return {std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share), std::lerp(a.z, b.z, share)};
+}
+
 /// The places in a layer count as one.
 class Places {
  public:
@@ -32,8 +38,8 @@ class Places {
     Place first, last;
     for (int axis = 0; axis < 3; ++axis) {
       const bool is_layered = grid_.layer && grid_.layer->axis == axis;
-      first[static_cast<std::size_t>(axis)] = is_layered ? 0 : place(low[axis]);
-      last[static_cast<std::size_t>(axis)] = is_layered ? 0 : place(high[axis]);
+      const auto i = static_cast<std::size_t>(axis);
+      std::tie(first[i], last[i]) = is_layered ? std::pair<std::int64_t, std::int64_t>() : places(low[axis], high[axis]);
     }
     for (std::int64_t x = first[0]; x <= last[0]; ++x) {
       for (std::int64_t y = first[1]; y <= last[1]; ++y) {
@@ -50,9 +56,8 @@ class Places {
     for (const Place& p : places_) {
       glm::dvec3 low, high;
       for (int axis = 0; axis < 3; ++axis) {
-        const auto before = static_cast<double>(p[static_cast<std::size_t>(axis)]);
-        low[axis] = before * grid_.size;
-        high[axis] = (before + 1) * grid_.size;
+        low[axis] = border(p[static_cast<std::size_t>(axis)]);
+        high[axis] = border(p[static_cast<std::size_t>(axis)] + 1);
       }
       if (const auto& layer = grid_.layer) {
         low[layer->axis] = layer->is_down ? -layer->high : layer->low;
@@ -64,12 +69,22 @@ class Places {
   }
 
  private:
+  /// The first and the last along an axis: the fewest that cover an interval.
+  [[nodiscard]] std::pair<std::int64_t, std::int64_t> places(double low, double high) const {
+    const std::int64_t first = place(low), last = place(high);
+    return {first, last > first && border(last) == high ? last - 1 : last};
+  }
+  /// The one that holds a coordinate; of two that meet there, the higher one.
   [[nodiscard]] std::int64_t place(double coordinate) const {
     constexpr double kMost = 0x1p50;  // places and their neighbours are exact
-    const double before = std::floor(coordinate / grid_.size);
-    if (!(std::fabs(before) < kMost)) throw std::length_error("they are too small for so large a model");
-    return static_cast<std::int64_t>(before);
+    const double quotient = std::floor(coordinate / grid_.size);
+    if (!(std::fabs(quotient) < kMost)) throw std::length_error("they are too small for so large a model");
+    // The quotient and the borders are rounded, so it may be off by one.
+    const auto before = static_cast<std::int64_t>(quotient);
+    if (coordinate < border(before)) return before - 1;
+    return coordinate < border(before + 1) ? before : before + 1;
   }
+  [[nodiscard]] double border(std::int64_t place) const { return static_cast<double>(place) * grid_.size; }
 
   const CellGrid& grid_;
   std::set<Place> places_;
@@ -113,12 +128,13 @@ std::vector<kernel::Aabb> CellGrid::cells_along(const render::CameraPath& path, 
   glm::dvec3 last = path.camera(0, 1).eye;
   for (std::size_t frame = 0; frame < path.frames; ++frame) {
     const glm::dvec3 eye = path.camera(frame, 1).eye;
-    // Steps of half a cell miss corners of cells at most.
-    const double steps = std::max(1.0, std::ceil(2 * glm::distance(last, eye) / size));
+    const double steps = std::max(1.0, std::ceil(2 * glm::distance(last, eye) / size));  // of half a cell
     if (!(steps <= static_cast<double>(2 * kMostCells))) throw std::length_error("the path is too long for so small cells");
+    glm::dvec3 begin = last;
     for (double step = 1; step <= steps; ++step) {
-      const glm::dvec3 at = glm::mix(last, eye, step / steps);
-      places.add(at - reach, at + reach);
+      const glm::dvec3 end = between(last, eye, step / steps);
+      places.add(glm::min(begin, end) - reach, glm::max(begin, end) + reach);
+      begin = end;
     }
     last = eye;
   }
@@ -146,11 +162,16 @@ std::vector<kernel::Aabb> read_cells(const std::string& file) {
 }
 
 std::vector<kernel::Aabb> pieces_of(const kernel::Aabb& cell, double side) {
+  // Of a cube of that side, 2^32 of them off, each face is rounded by 2^-21 of it at most: it stays one piece.
+  constexpr double kRounding = 0x1p-20;
   std::vector<kernel::Aabb> pieces{cell};
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = cell.min[axis], high = cell.max[axis], count = std::max(1.0, std::ceil((high - low) / side));
+    const double low = cell.min[axis], high = cell.max[axis],
+                 count = std::max(1.0, std::ceil((high - low) / (side * (1 + kRounding))));
     if (!(count * static_cast<double>(pieces.size()) <= static_cast<double>(kMostCells))) {
-      throw std::length_error(fmt::format("a cell would have more than {} pieces", kMostCells));
+      throw std::length_error(
+          fmt::format("the cell from ({}, {}, {}) to ({}, {}, {}) has more than {} pieces, with --piece {}", cell.min.x,
+                      cell.min.y, cell.min.z, cell.max.x, cell.max.y, cell.max.z, kMostCells, side));
     }
     const auto border = [&](double i) {
       return i == count ? high : kernel::flushed(std::min(low + i / count * (high - low), high));

@@ -29,17 +29,20 @@ struct CellGrid {
   double size = 2;
   std::optional<Layer> layer;
 
-  /// Those that hold points of the box. Throws std::length_error for more than kMostCells.
+  /// The fewest that cover the box: what only touches it is not among them. Where a flat box lies between two, that is the
+  /// higher one. Throws std::length_error for more than kMostCells.
   [[nodiscard]] std::vector<kernel::Aabb> cells_of(const kernel::Aabb& box) const;
-  /// Those within `reach` of the way of the path's eyes, on each axis; with a layer, on the two others.
+  /// Some that cover all that is within `reach`, on each axis, of the straight ways from each eye of the path to the next.
+  /// None is farther from them than that and half a size. With a layer this holds on the two other axes. Throws as
+  /// cells_of().
   [[nodiscard]] std::vector<kernel::Aabb> cells_along(const render::CameraPath& path, double reach) const;
 };
 
 /// Reads a list: {"cells":[{"min":[x,y,z],"max":[x,y,z]}, …]}. Throws InputError, naming the file and the cell.
 [[nodiscard]] std::vector<kernel::Aabb> read_cells(const std::string& file);
 
-/// The cell in equal pieces, no longer than `side` along any axis, that share their faces. Throws std::length_error for more
-/// than kMostCells.
+/// The cell in equal pieces that share their faces. They are no longer than `side` along any axis, or by a millionth of it.
+/// Throws std::length_error, naming the cell and the side, for more than kMostCells.
 [[nodiscard]] std::vector<kernel::Aabb> pieces_of(const kernel::Aabb& cell, double side);
 
 }  // namespace occlude::cli

@@ -76,6 +76,23 @@ class SetPacker {
 
 constexpr std::size_t kHeaderBytes = 64;
 
+/// Which of the 64 numbers from `first` on are in a set: a bit for each, the lowest for `first`.
+std::uint64_t word_of(const Changes& set, std::uint32_t first) {
+  auto change = std::ranges::upper_bound(set, first);
+  std::uint64_t word = (change - set.begin()) % 2 == 1 ? ~std::uint64_t{0} : 0;
+  for (; change != set.end() && *change - first < 64; ++change) word ^= ~std::uint64_t{0} << (*change - first);
+  return word;
+}
+
+/// REQUIRES: the number is greater than all in the set.
+void add(Changes& set, std::uint32_t number) {
+  if (!set.empty() && set.back() == number) {
+    ++set.back();
+  } else {
+    set.insert(set.end(), {number, number + 1});
+  }
+}
+
 }  // namespace
 
 std::uint64_t hash_of(std::string_view bytes, std::uint64_t before) {
@@ -98,8 +115,6 @@ std::size_t size_of(const Changes& set) {
   return size;
 }
 
-bool has(const Changes& set, std::uint32_t number) { return (std::ranges::upper_bound(set, number) - set.begin()) % 2 == 1; }
-
 bool is_before(const kernel::Aabb& a, const kernel::Aabb& b) {
   const auto key = [](const kernel::Aabb& box) {
     return std::tuple(box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
@@ -108,11 +123,20 @@ bool is_before(const kernel::Aabb& a, const kernel::Aabb& b) {
 }
 
 void make_mutual(std::vector<BakedCell>& cells) {
-  std::vector<Changes> mutual;
-  for (std::uint32_t a = 0; a < cells.size(); ++a) {
-    std::vector<bool> both(cells.size());
-    for (std::uint32_t b = 0; b < cells.size(); ++b) both[b] = has(cells[a].cells, b) && has(cells[b].cells, a);
-    mutual.push_back(changes_of(both));
+  // 64 cells at a time, so that whether they are in another's set is a word of it.
+  std::vector<Changes> mutual(cells.size());
+  std::vector<std::uint64_t> words(cells.size());
+  for (std::uint32_t first = 0; first < cells.size(); first += 64) {
+    render::check_interrupt();
+    for (std::size_t b = 0; b < cells.size(); ++b) words[b] = word_of(cells[b].cells, first);
+    for (std::uint32_t a = first; a < std::min<std::size_t>(first + 64, cells.size()); ++a) {
+      const Changes& set = cells[a].cells;
+      for (std::size_t i = 0; i < set.size(); i += 2) {
+        for (std::uint32_t b = set[i]; b < set[i + 1]; ++b) {
+          if (words[b] >> (a - first) & 1U) add(mutual[a], b);
+        }
+      }
+    }
   }
   for (std::size_t a = 0; a < cells.size(); ++a) cells[a].cells = std::move(mutual[a]);
 }
@@ -141,9 +165,11 @@ void write_visible_sets(render::OutputFile& file, const VisibleSets& sets) {
   put(header, static_cast<std::uint32_t>(cells.size()));
   put(header, sets.items);
   put(header, std::nextafter(widest, std::numeric_limits<double>::infinity()));
-  put(header, hash_of(packed_sets, hash_of(body)));
-  header.resize(kHeaderBytes);
-  for (const std::string& bytes : {header, body, packed_sets}) file.write(bytes);
+  const std::string reserved(kHeaderBytes - header.size() - sizeof(std::uint64_t), '\0');
+  put(header, hash_of(packed_sets, hash_of(body, hash_of(reserved, hash_of(header)))));
+  file.write(header + reserved);
+  file.write(body);
+  file.write(packed_sets);
 }
 
 }  // namespace occlude::cli

@@ -18,7 +18,6 @@ using Changes = std::vector<std::uint32_t>;
 
 [[nodiscard]] Changes changes_of(const std::vector<bool>& set);
 [[nodiscard]] std::size_t size_of(const Changes& set);
-[[nodiscard]] bool has(const Changes& set, std::uint32_t number);
 
 struct BakedCell {
   kernel::Aabb box;

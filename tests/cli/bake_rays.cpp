@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Looks for what visible sets wrongly leave out: rays from eyes in each cell to points of what is not in its set, and in
-// random directions, that nothing stops. Whether one is clear is decided exactly. Also counts what random rays find.
-// Usage: bake_rays MODEL FILE RAYS_OF_A_CELL CELLS [SEED]. Polygon by polygon: the sets are of no objects.
+// Looks for what visible sets wrongly leave out: rays from eyes in each cell to points of what is not in its set, to points
+// of cells that are not in its set, and in random directions, that nothing stops. Whether one is clear is decided exactly.
+// Also counts what random rays find. Usage: bake_rays MODEL FILE RAYS_OF_A_CELL CELLS [SEED]. Polygon by polygon: the sets
+// are of no objects.
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "../../culler/example/visible_sets.h"
@@ -45,23 +50,25 @@ class Tracer {
   }
   [[nodiscard]] std::size_t triangles(std::uint32_t p) const { return tree_.soup().loop(p).size() - 2; }
 
-  /// The opaque polygon that a ray seems to meet first, or kNone.
-  [[nodiscard]] std::uint32_t first(const dvec3& eye, const dvec3& along) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    std::uint32_t met = kNone;
-    visit(eye, along, nearest, [&](std::uint32_t p) {
+  struct Meeting {
+    std::uint32_t polygon = kNone;
+    double share = std::numeric_limits<double>::infinity();  ///< of the ray
+  };
+  /// The opaque polygon that a ray seems to meet first, if any.
+  [[nodiscard]] Meeting first(const dvec3& eye, const dvec3& along) const {
+    Meeting nearest;
+    visit(eye, along, nearest.share, [&](std::uint32_t p) {
       for (std::size_t i = 1; i <= triangles(p); ++i) {
         const double share = meeting(eye, along, p, i);
-        if (share > 0 && share < nearest) nearest = share, met = p;
+        if (share > 0 && share < nearest.share) nearest = {p, share};
       }
     });
-    return met;
+    return nearest;
   }
 
-  /// Whether the segment to a point of the triangle meets no opaque polygon before it: exactly.
-  [[nodiscard]] bool is_clear(const dvec3& eye, const dvec3& point, std::uint32_t p, std::size_t i) const {
+  /// Whether the ray through a point meets no opaque polygon before the triangle: exactly. It does not if it misses that.
+  [[nodiscard]] bool is_clear(const dvec3& eye, const dvec3& point, const Triangle& aim) const {
     const Ray ray({{eye.x, eye.y, eye.z}, false}, {point.x, point.y, point.z});
-    const Triangle aim = triangle(p, i);
     if (!ray.enters(aim, {})) return false;
     bool is_clear = true;
     double end = 1.01;
@@ -128,6 +135,19 @@ class Tracer {
   double room_;
 };
 
+/// A triangle across the segment that meets it at its end alone.
+Triangle target_at(const dvec3& end, const dvec3& along) {
+  const dvec3 size = glm::abs(along);
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const auto corner = [&](double u, double v) {
+    dvec3 at = end;
+    at[(axis + 1) % 3] += u;
+    at[(axis + 2) % 3] += v;
+    return occlude::oracle::Point{at.x, at.y, at.z};
+  };
+  return {corner(-1, -1), corner(2, -1), corner(-1, 2)};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -142,6 +162,7 @@ int main(int argc, char** argv) try {
   const Tracer tracer(tree);
   std::mt19937_64 random(seed);
   const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  std::map<std::string, int> told;
   std::size_t wrong = 0, aimed = 0, found = 0, in_sets = 0, asked = 0;
   for (visible_sets::Number i = 0; i < std::min<std::size_t>(sets.cells(), most); ++i, ++asked) {
     const auto cell = static_cast<visible_sets::Number>(most < sets.cells() ? i * std::size_t{sets.cells()} / most : i);
@@ -153,23 +174,39 @@ int main(int argc, char** argv) try {
       if (!seen[tree.face(p)]) hidden.push_back(p);
     }
     for (const bool is_seen : seen) in_sets += is_seen;
-    const auto claim = [&](const dvec3& eye, const dvec3& point, std::uint32_t p, std::size_t k) {
-      if (!tracer.is_clear(eye, point, p, k)) return;
-      if (++wrong > 5) return;
-      std::cout << "cell " << cell << " sees polygon " << tree.face(p) << " from " << eye.x << ' ' << eye.y << ' ' << eye.z
+    std::vector<visible_sets::Number> hidden_cells;
+    const std::vector<bool> seen_cells = sets.visible_cells(cell);
+    for (visible_sets::Number other = 0; other < sets.cells(); ++other) {
+      if (!seen_cells[other]) hidden_cells.push_back(other);
+      if (sets.visible(cell, other) != seen_cells[other]) throw std::logic_error("one cell is not as in the set");
+    }
+    const auto claim = [&](const dvec3& eye, const dvec3& point, const Triangle& aim, const char* what,
+                           std::uint32_t number) {
+      if (!tracer.is_clear(eye, point, aim)) return;
+      if (++wrong; ++told[what] > 20) return;
+      std::cout << "cell " << cell << " sees " << what << ' ' << number << " from " << eye.x << ' ' << eye.y << ' ' << eye.z
                 << " at " << point.x << ' ' << point.y << ' ' << point.z << '\n';
     };
-    for (std::size_t ray = 0; ray < rays; ++ray) {
-      const bool is_corner = ray % 4 == 0;
-      dvec3 eye;
+    const auto point_in = [&](const std::array<double, 6>& in, bool is_corner) {
+      dvec3 point;
       for (int axis = 0; axis < 3; ++axis) {
         const double at = is_corner ? static_cast<double>(random() & 1U) : share();
-        eye[axis] = at == 1 ? box[axis + 3U] : std::min(box[axis] + at * (box[axis + 3U] - box[axis]), box[axis + 3U]);
+        point[axis] = at == 1 ? in[axis + 3U] : std::min(in[axis] + at * (in[axis + 3U] - in[axis]), in[axis + 3U]);
+      }
+      return point;
+    };
+    for (std::size_t ray = 0; ray < rays; ++ray) {
+      const dvec3 eye = point_in(box, ray % 4 == 0);
+      if (!hidden_cells.empty()) {
+        const visible_sets::Number other = hidden_cells[random() % hidden_cells.size()];
+        const dvec3 point = point_in(sets.box(other), ray % 8 < 2);
+        if (point != eye && !(tracer.first(eye, point - eye).share < 1)) {
+          claim(eye, point, target_at(point, point - eye), "cell", other);
+        }
       }
       if (ray % 2 == 0 && !hidden.empty()) {
         const std::uint32_t p = hidden[random() % hidden.size()];
-        const std::size_t k = 1 + random() % tracer.triangles(p);
-        const Triangle t = tracer.triangle(p, k);
+        const Triangle t = tracer.triangle(p, 1 + random() % tracer.triangles(p));
         double u = share(), v = share();
         if (u + v > 1) u = 1 - u, v = 1 - v;
         dvec3 point;
@@ -177,18 +214,21 @@ int main(int argc, char** argv) try {
           point[static_cast<int>(axis)] = t[0][axis] + u * (t[1][axis] - t[0][axis]) + v * (t[2][axis] - t[0][axis]);
         }
         ++aimed;
-        const std::uint32_t first = tracer.first(eye, point - eye);
-        if (first != kNone && seen[tree.face(first)]) continue;  // in most cases what hides it is itself seen
-        claim(eye, point, p, k);
+        // In most cases what hides it is itself seen. What is behind it does not hide it.
+        const Tracer::Meeting first = tracer.first(eye, point - eye);
+        if (first.share < 1 && seen[tree.face(first.polygon)]) continue;
+        claim(eye, point, t, "polygon", tree.face(p));
       } else {
         dvec3 along;
         do along = {share() - 0.5, share() - 0.5, share() - 0.5};
         while (glm::length(along) > 0.5);
-        const std::uint32_t p = tracer.first(eye, along);
+        const std::uint32_t p = tracer.first(eye, along).polygon;
         if (p == kNone) continue;
         met[tree.face(p)] = true;
         if (seen[tree.face(p)]) continue;
-        for (std::size_t k = 1; k <= tracer.triangles(p); ++k) claim(eye, eye + along, p, k);
+        for (std::size_t k = 1; k <= tracer.triangles(p); ++k) {
+          claim(eye, eye + along, tracer.triangle(p, k), "polygon", tree.face(p));
+        }
       }
     }
     for (const bool is_met : met) found += is_met;

@@ -26,8 +26,26 @@ echo "{\"cells\":[$before,$here_,$beside]}" >cells.json
 grep -q '"cells": 3,' told && grep -q '"items": 13,' told && grep -q '"seen": 34,' told && grep -q '"most": 12,' told || fail "told: $(cat told)"
 grep -q "\"bytes\": $(stat -c %s door.pvs)," told || fail "the size: $(cat told)"
 
-readers=("$example" "python3 -B $examples/visible_sets.py")
-if command -v node >/dev/null; then readers+=("node $examples/visible_sets.mjs"); else echo "No node: its reader is not tried"; fi
+readers=("$example" "python3 -B $examples/print_visible_sets.py")
+if command -v node >/dev/null; then readers+=("node $examples/print_visible_sets.mjs"); else echo "No node: its reader is not tried"; fi
+wc -l "$examples"/visible_sets.* | awk '$2 != "total" && $1 >= 100 { print; exit 1 }' || fail "readers of a hundred lines"
+# same_in_all FILE EYE: all readers print the same.
+same_in_all() {
+  for reader in "${readers[@]}"; do
+    # shellcheck disable=SC2086
+    $reader "$1" $2 >seen 2>stderr || fail "$reader: $(cat stderr)"
+    [ "$reader" = "$example" ] && cp seen seen_first
+    cmp seen_first seen || fail "$1 from $2: $reader reads something else"
+  done
+}
+# refused FILE: no reader reads it.
+refused() {
+  for reader in "${readers[@]}"; do
+    # shellcheck disable=SC2086
+    timeout 100 $reader "$1" .7 2.5 1.5 >stdout 2>stderr
+    [ $? -eq 2 ] && grep -q 'no visible sets, or damaged' stderr || fail "$reader $1: $(cat stdout stderr)"
+  done
+}
 # sees FILE EYE EXPECTED: what all readers print.
 sees() {
   # shellcheck disable=SC2086
@@ -67,24 +85,96 @@ clear() { "$rays" "$@" >rays || fail "rays: $(cat rays)"; }
 clear door.ply door.pvs 20000 9
 clear closed.ply closed.pvs 20000 9
 clear door.ply flat.pvs 20000 9
+# What is seen through glass, and behind which there is a wall that is seen: the rays find that it is missing in the sets of a
+# model where a plate stands before it.
+behind_plate() { # behind_plate FILE X: with the plate at X
+  {
+    printf 'mtllib glass.mtl\n%b' "$room" | sed '2,$s/^/v /'
+    printf 'v %s\n' '7.5 2.4 1.4' '7.5 2.6 1.4' '7.5 2.6 1.6' '7.5 2.4 1.6' "$2 2 1" "$2 3 1" "$2 3 2" "$2 2 2"
+    printf 'f %s\n' '1 2 3 4' '5 6 7 8' '1 2 6 5' '4 3 7 8' '1 4 8 5' '2 3 7 6' '13 14 15 16'
+    printf 'usemtl glass\nf 9 10 11 12\n'
+  } >"$1"
+}
+printf 'newmtl glass\nd 0.5\n' >glass.mtl
+behind_plate hidden.obj 7.4
+behind_plate open.obj 20
+echo '{"cells":[{"min":[1,2.5,1.5],"max":[1,2.5,1.5]}]}' >eye.json
+"$occlude" bake hidden.obj --cells eye.json --out hidden.pvs >/dev/null || fail "glass"
+sees hidden.pvs '1 2.5 1.5' 'cell 0;items 0 1 2 3 4 5 6;cells 0;'
+clear hidden.obj hidden.pvs 20000 9
+"$rays" open.obj hidden.pvs 20000 9 >rays
+[ $? -eq 1 ] && grep -q 'cell 0 sees polygon 7 ' rays || fail "the rays do not find glass: $(cat rays)"
 "$occlude" bake door.ply --cells grid --cell-size 2 --out grid.pvs --json >told || fail "grid"
-grep -q '"cells": 220,' told || fail "cells of a grid: $(cat told)" # 11 by 5 by 4
-clear door.ply grid.pvs 500 220
+grep -q '"cells": 150,' told || fail "cells of a grid: $(cat told)" # 10 by 5 by 3: those that the model only touches are none
+clear door.ply grid.pvs 500 150
 echo '{"frames":4,"keyframes":[{"eye":[1,2.5,1.5],"target":[2,2.5,1.5]},{"eye":[6,2.5,1.5],"target":[7,2.5,1.5]}]}' >path.json
 "$occlude" bake door.ply --cells corridor --path path.json --cell-size 1 --heights 1:2 --reach 0 --out way.pvs --json >told || fail "corridor"
-grep -q '"cells": 6,' told || fail "cells of a corridor: $(cat told)"
+grep -q '"cells": 5,' told || fail "cells of a corridor: $(cat told)" # from x = 1 to 6
 clear door.ply way.pvs 20000 9
-sees way.pvs '6.5 2.5 2' 'cell 5;items 0 1 2 3 4 5 6 7 8 9 10 11;cells 0 1 2 3 4 5;'
+sees way.pvs '5.5 2.5 2' 'cell 4;items 0 1 2 3 4 5 6 7 8 9 10 11;cells 0 1 2 3 4;'
+# A way across a corner between four cells, and what is within reach.
+two='{"frames":2,"keyframes":[{"eye":[0.5,0.52,1.5],"target":[4,0.52,1.5]},{"eye":[1.5,1.52,1.5],"target":[4,1.52,1.5]}]}'
+echo "$two" >two.json
+"$occlude" bake door.ply --cells corridor --path two.json --cell-size 1 --heights 1:2 --reach 0 --out two.pvs >/dev/null || fail "corner"
+"$example" two.pvs .99 1.01 1.5 | grep -q '^cell' || fail "a hole in a corridor"
+"$occlude" bake door.ply --cells corridor --path path.json --cell-size 1 --heights 1:2 --reach 1 --out reach.pvs --json >told || fail "--reach"
+grep -q '"cells": 21,' told || fail "cells within reach: $(cat told)" # from x = 0 to 7, and from y = 1 to 4
+clear door.ply reach.pvs 2000 21
+# 1.918 / 0.001 is rounded to 1918, and 1918 * 0.001 to more than 1.918.
+ply small.ply 3 1 '1.918 0 0\n1.92 0 0\n1.92 0.002 0.0005\n3 0 1 2\n'
+"$occlude" bake small.ply --cells grid --cell-size 0.001 --out small.pvs >/dev/null || fail "small"
+sees small.pvs '1.918 0 0' 'cell 0;items 0;cells 0 1 2 3 4 5;'
 "$occlude" generate city --polygons 20000 --seed 5 --out city.ply --path whole.json >/dev/null || fail "generate"
 # The first of its keyframes, which have a line each.
 { sed -n '1s/2748/20/p; 2,9p' whole.json; sed -n '10s/,$/]}/p' whole.json; } >city.json
 "$occlude" bake city.ply --cells corridor --path city.json --cell-size 4 --reach 0 --heights 1:3 --out city.pvs >/dev/null || fail "city"
 clear city.ply city.pvs 2000 20
 grep -q ' 0 reach' rays || fail "$(cat rays)"
+# All readers read the same, of numbers of two bytes too, and one cell of another as its set.
+cat >middles.py <<'END'
+import struct, sys
+from visible_sets import VisibleSets
+sets = VisibleSets(sys.argv[1])
+for cell in range(0, sets.cells, max(sets.cells // 5, 1)):
+    box = sets.box(cell)
+    print(*((box[i] + box[i + 3]) / 2 for i in range(3)))
+    for other in range(sets.cells):
+        assert sets.visible(cell, other) == (other in sets.visible_cells(cell))
+for call in sets.box, sets.visible, sets.visible_cells, lambda cell: sets.visible(0, cell), lambda cell: sets.visible(cell, 0):
+    for cell in -1, sets.cells:
+        try:
+            call(cell)
+            print("a cell that there is not:", cell)
+        except IndexError:
+            pass
+value = 0xCBF29CE484222325
+for byte in open(sys.argv[2], "rb").read():
+    value = (value ^ byte) * 0x100000001B3 % 2**64
+assert sets.model == value, "the hash of the model"
+END
+PYTHONPATH=$examples python3 -B middles.py city.pvs city.ply >middles || fail "the Python reader"
+[ "$(wc -l <middles)" -ge 5 ] || fail "cells of the city: $(cat middles)"
+while read -r eye; do same_in_all city.pvs "$eye"; done <middles
+[ "$(tr ' ' '\n' <seen | sort -n | tail -1)" -gt 127 ] || fail "no numbers of two bytes"
+if command -v node >/dev/null; then
+  cat >pairs.mjs <<END
+import {readFileSync} from 'node:fs'
+import {VisibleSets} from '$examples/visible_sets.mjs'
+const sets = new VisibleSets(new Uint8Array(readFileSync('city.pvs')).buffer)
+for (let other = 0; other < sets.cells; ++other) {
+  if (sets.visible(1, other) !== sets.visibleCells(1).includes(other)) throw new Error('visible(1, ' + other + ')')
+}
+for (const call of [() => sets.visible(sets.cells), () => sets.visible(0, -1), () => sets.box(0.5), () => sets.visibleCells(NaN)]) {
+  try { call() } catch (error) { if (error instanceof RangeError) continue }
+  throw new Error('a cell that there is not')
+}
+END
+  node pairs.mjs 2>stderr || fail "the JavaScript reader: $(cat stderr)"
+fi
 
 # The rays find what is wrong: in the sets of the closed door, with the door open.
 "$rays" door.ply closed.pvs 20000 9 >rays
-[ $? -eq 1 ] && grep -q 'cell 0 sees polygon 10 ' rays || fail "the rays do not find a wrong set: $(cat rays)"
+[ $? -eq 1 ] && grep -q 'cell 0 sees polygon 10 ' rays && grep -q 'cell 0 sees cell 2 ' rays || fail "the rays do not find a wrong set: $(cat rays)"
 
 # Parts that are kept change no byte, nor does a run that goes on with those of one that was killed, nor do ranks.
 long=(bake door.ply --cells grid --cell-size 1.5)
@@ -99,6 +189,8 @@ expect_error "kept: has parts of another run" "$occlude" "${long[@]}" --piece 5 
 [ ! -e kept ] || fail "parts are left behind: $(ls kept)"
 "$occlude" "${long[@]}" --out one.pvs >one || fail "bake"
 cmp one.pvs resumed.pvs || fail "--resume: the bytes differ"
+taskset -c 0 "$occlude" "${long[@]}" --out single.pvs >/dev/null || fail "one thread"
+cmp one.pvs single.pvs || fail "one thread: the bytes differ"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 if ! command -v mpirun >/dev/null || mpirun -n 1 "$occlude" fuzz --cases 1 --findings '' 2>&1 | grep -q 'built without MPI'; then
   echo "No mpirun: several processes are not tried"
@@ -130,13 +222,36 @@ pixel 991 95 '0 0 0 0'
 "$occlude" bake door.pre --cells cells.json --out store.pvs >/dev/null || fail "store"
 sees store.pvs '.7 2.5 1.5' 'cell 0;items 0 1 2 3 4 5 6 7 8 10 11;cells 0 2;'
 
-# Files that are cut off or damaged.
+# Files that are cut off or damaged, in the header, too.
 head -c 200 door.pvs >cut.pvs
-"$example" cut.pvs 1 1 1 >stdout 2>stderr
-[ $? -eq 2 ] && grep -q 'no visible sets, or damaged' stderr || fail "cut off: $(cat stdout stderr)"
-{ head -c 220 door.pvs; printf '\377'; tail -c +222 door.pvs; } >damaged.pvs
-"$example" damaged.pvs 1 1 1 >stdout 2>stderr
-[ $? -eq 2 ] && grep -q 'no visible sets, or damaged' stderr || fail "damaged: $(cat stdout stderr)"
+refused cut.pvs
+for at in 0 8 16 24 27 28 31 32 39 40 48 63 64 220; do
+  { head -c "$at" door.pvs; printf '\376'; tail -c +$((at + 2)) door.pvs; } >damaged.pvs
+  cmp -s door.pvs damaged.pvs || refused damaged.pvs
+done
+# Files that are no sets, with the hash that they should have.
+forged() { # forged PLACE BYTE...: of the sets if PLACE begins with +
+  python3 -B - "$@" <<'END' || fail "forged"
+import struct, sys
+data = bytearray(open("door.pvs", "rb").read())
+place = int(sys.argv[1]) + (struct.unpack_from("<Q", data, 64 + 3 * 48)[0] if sys.argv[1][0] == "+" else 0)
+for i, byte in enumerate(sys.argv[2:]):
+    data[place + i] = int(byte)
+value = 0xCBF29CE484222325
+for byte in data[:40] + data[48:]:
+    value = (value ^ byte) * 0x100000001B3 % 2**64
+struct.pack_into("<Q", data, 40, value)
+open("forged.pvs", "wb").write(data)
+END
+  refused forged.pvs
+}
+forged +0 1                          # differs from the set before the first
+forged +0 255 255                    # a number that does not end
+forged +1 127                        # items beyond the last
+forged 24 255 255                    # more cells than there is room for
+forged 28 3                          # fewer items than are in a set
+forged $((64 + 3 * 48)) 0 0 0 0 1    # a set beyond the file
+forged $((64 + 3 * 48 + 8)) 0 0 0 0 1
 
 # Bad input.
 bad() { # bad TEXT CELLS
@@ -171,7 +286,13 @@ expect_error 'missing.ply' "$occlude" bake missing.ply --cells cells.json --out 
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 3:1 --out bad.pvs
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 3 --out bad.pvs
 expect_error '--cells' "$occlude" bake door.ply --cells grid --cell-size 0.01 --out bad.pvs
-expect_error '--cells' "$occlude" bake door.ply --cells cells.json --piece 0.001 --out bad.pvs
+expect_error 'the cell from (6, 2, 1) to (7, 3, 2) has more than 65536 pieces, with --piece 0.001' \
+  "$occlude" bake door.ply --cells cells.json --piece 0.001 --out bad.pvs
+for reader in "${readers[@]}"; do
+  # shellcheck disable=SC2086
+  $reader door.pvs abc 1 1 >stdout 2>stderr
+  [ $? -eq 2 ] || fail "$reader takes abc for a number: $(cat stdout)"
+done
 expect_error '--cell-size' "$occlude" bake door.ply --cells grid --cell-size 0 --out bad.pvs
 expect_error 'cells.json' "$occlude" bake door.ply --cells cells.json --out cells.json
 expect_error 'named twice' "$occlude" bake door.ply --cells cells.json --out bad.pvs --map ./bad.pvs

@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: MIT
-// What may be seen from an eye, by the visible sets of `occlude bake`. Usage: visible_sets FILE X Y Z
-#include "visible_sets.h"
-
+// What may be seen from an eye, by the visible sets of `occlude bake`. Usage: print_visible_sets FILE X Y Z
 #include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <string>
+
+#include "visible_sets.h"
+
+namespace {
+
+double number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0') throw std::runtime_error(text + ": no number");
+  return value;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) return std::cerr << "usage: visible_sets FILE X Y Z\n", 2;
+  if (argc != 5) return std::cerr << "usage: print_visible_sets FILE X Y Z\n", 2;
   std::ifstream file(argv[1], std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   try {
     const visible_sets::Reader sets(bytes.data(), bytes.size());
-    const visible_sets::Number cell = sets.cell_at(std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4]));
+    sets.check();
+    const visible_sets::Number cell = sets.cell_at(number(argv[2]), number(argv[3]), number(argv[4]));
     if (cell == visible_sets::kNone) return std::cout << "in no cell\n", 0;
     const auto print = [](const char* name, const std::vector<bool>& set) {
       std::cout << name;
