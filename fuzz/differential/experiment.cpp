@@ -21,7 +21,8 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"view_frustum", run_view_frusta});
     list.push_back({"cones", run_cones});
     list.push_back({"occludees", run_occludees});
-    for (const auto& [name, kind] : {std::pair{"umbra", kernel::ShadowKind::umbra}, {"penumbra", kernel::ShadowKind::penumbra}}) {
+    for (const auto& [name, kind] :
+         {std::pair{"umbra", kernel::ShadowKind::umbra}, {"penumbra", kernel::ShadowKind::penumbra}}) {
       list.push_back({name, [kind](std::uint64_t seed, Report& report) { run_region_shadows(kind, seed, report); }});
     }
     list.push_back({"cover", run_covers});

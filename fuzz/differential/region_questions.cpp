@@ -74,7 +74,8 @@ Vec3 half_edge(Random& random, const Occluder& occluder, const Vec3& viewpoint, 
   if (random.chance(0.2)) return minus(any_vertex(random, occluder), any_vertex(random, occluder));
   const double size = size_of(minus(any_vertex(random, occluder), viewpoint));
   Vec3 edge = lattice_vector(random, 2);
-  if (!is_lattice) edge = plus({}, 0.3 * size * random.real(0, 1), {random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
+  if (!is_lattice)
+    edge = plus({}, 0.3 * size * random.real(0, 1), {random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
   if (random.chance(0.5)) {  // along an axis
     const int axis = random.integer(0, 2);
     const double length = edge[axis];
@@ -92,7 +93,8 @@ RegionCase about_a_case(Random& random, kernel::ShadowKind kind) {
   for (Vec3& edge : region.half_edges) edge = half_edge(random, c.occluder, region.center, is_lattice);
   if (random.chance(0.05)) region.half_edges[0] = minus(any_vertex(random, c.occluder), region.center);
   if (random.chance(0.4)) {
-    question.box = box_at(random, point_in_sight(random, question), size_of(minus(any_vertex(random, c.occluder), region.center)));
+    question.box =
+        box_at(random, point_in_sight(random, question), size_of(minus(any_vertex(random, c.occluder), region.center)));
   }
   return question;
 }
@@ -142,8 +144,8 @@ RegionCase on_a_lattice(Random& random, kernel::ShadowKind kind) {
   return question;
 }
 
-/// A rectangle of half sides a at distance n (b - a) before a rectangle of eyes of half sides b: the umbra ends at n a beyond
-/// it, over the side on which b is larger. With equal differences it ends in a point for a square, else in a ridge.
+/// A rectangle of half sides a at distance n (b - a) before a rectangle of eyes of half sides b: the umbra ends at n a
+/// beyond it, over the side on which b is larger. With equal differences it ends in a point for a square, else in a ridge.
 RegionCase before_a_larger_region(Random& random, kernel::ShadowKind kind) {
   const std::array<double, 2> a{1. * random.integer(1, 3), 1. * random.integer(1, 3)};
   const double more = random.integer(1, 3), n = random.integer(1, 3), distance = n * more;
@@ -156,8 +158,8 @@ RegionCase before_a_larger_region(Random& random, kernel::ShadowKind kind) {
   if (random.chance(0.3)) question.region.box.center = at(-1, 0, 0);
   const double thickness = random.chance(0.3) ? random.integer(1, 2) : 0;
   if (thickness == 0) {
-    question.occluder = Polygon{at(distance, -a[0], -a[1]), at(distance, a[0], -a[1]), at(distance, a[0], a[1]),
-                                at(distance, -a[0], a[1])};
+    question.occluder =
+        Polygon{at(distance, -a[0], -a[1]), at(distance, a[0], -a[1]), at(distance, a[0], a[1]), at(distance, -a[0], a[1])};
   } else {
     question.occluder = parallelepiped(at(distance, -a[0], -a[1]), {0, 2 * a[0], 0}, {0, 0, 2 * a[1]}, at(thickness, 0, 0));
   }
@@ -170,9 +172,7 @@ RegionCase before_a_larger_region(Random& random, kernel::ShadowKind kind) {
 void turn_and_scale(Random& random, RegionCase& question) {
   const int turn = random.integer(0, 2);
   const double scale = random.chance(0.7) ? 1 : random.chance(0.5) ? 0.1 : std::ldexp(1, random.integer(-70, 70));
-  const auto change = [&](Vec3& v) {
-    v = {scale * v[turn], scale * v[(turn + 1) % 3], scale * v[(turn + 2) % 3]};
-  };
+  const auto change = [&](Vec3& v) { v = {scale * v[turn], scale * v[(turn + 1) % 3], scale * v[(turn + 2) % 3]}; };
   change(question.region.box.center);
   for (Vec3& edge : question.region.box.half_edges) change(edge);
   for (Vec3& vertex : vertices_of(question.occluder)) change(vertex);

@@ -24,14 +24,14 @@ constexpr std::uint64_t kBoxes = 4 * kGroup;
 
 class RegionJudgement {
  public:
-  RegionJudgement(RegionCase question, Report& report)
-      : question_(std::move(question)),
+  RegionJudgement(const RegionCase& question, Report& report)
+      : question_(question),
         report_(report),
         made_(make_shadow(question_)),
         truth_(to_oracle(question_.region), to_oracle(question_.occluder), to_oracle(question_.kind)) {}
 
   void judge(const Box& box, bool twice) {
-    question_.box = box;
+    box_ = box;
     is_wrong_ = false;
     ++report_.tally.cases;
     const oracle::Answer answer = truth_.relation(to_oracle(box));
@@ -47,32 +47,33 @@ class RegionJudgement {
 
  private:
   void judge_answers(Relation truth, bool twice) {
-    const kernel::Decision certified = overlap(*made_.shadow, question_.box);
+    const kernel::Decision certified = overlap(*made_.shadow, box_);
     report_.tally.count(truth, certified.stage);
     compare("certified", certified.relation, truth);
-    const Relation planes = conservative(*made_.shadow, question_.box).relation;
+    const Relation planes = conservative(*made_.shadow, box_).relation;
     report_.tally.planes_asked += truth == Relation::outside ? 1 : 0;
     report_.tally.undecided += truth == Relation::outside && planes == Relation::partial ? 1 : 0;
     if (planes != Relation::partial || truth == Relation::inside) compare("conservative", planes, truth);
-    const bool touches = truth == Relation::inside && truth_.reaches_surface(to_oracle(question_.box));
+    const bool touches = truth == Relation::inside && truth_.reaches_surface(to_oracle(box_));
     const Relation open = touches ? Relation::partial : truth;
-    compare("certified, near plane open", overlap(*made_.shadow, question_.box, NearBoundary::open).relation, open);
+    compare("certified, near plane open", overlap(*made_.shadow, box_, NearBoundary::open).relation, open);
     ++report_.tally.others_asked;
-    report_.tally.plain.count(overlap_plain(*made_.shadow, question_.box), truth);
+    report_.tally.plain.count(overlap_plain(*made_.shadow, box_), truth);
     if (twice) judge_again(truth, open);
   }
 
   void judge_again(Relation truth, Relation open) {
     ++report_.tally.judged_twice;
     const oracle::Answer second = oracle::second::relation(to_oracle(question_.region), to_oracle(question_.occluder),
-                                                           to_oracle(question_.kind), to_oracle(question_.box));
+                                                           to_oracle(question_.kind), to_oracle(box_));
     compare("second oracle", relation_of(second.relation), truth);
     // What the oracle proves of culls: eyes that a polygon is strictly before.
-    const bool is_cull = question_.kind == kernel::ShadowKind::umbra && question_.region.kind == kernel::Viewpoint::Kind::eye &&
+    const bool is_cull = question_.kind == kernel::ShadowKind::umbra &&
+                         question_.region.kind == kernel::Viewpoint::Kind::eye &&
                          std::holds_alternative<Polygon>(question_.occluder);
     if (!is_cull) return;
-    const oracle::Answer hidden = oracle::relation_to_umbra(to_oracle(question_.region.box), to_oracle(question_.occluder),
-                                                            to_oracle(question_.box));
+    const oracle::Answer hidden =
+        oracle::relation_to_umbra(to_oracle(question_.region.box), to_oracle(question_.occluder), to_oracle(box_));
     const bool agree = hidden.refusal.empty() && (hidden.relation == oracle::Relation::inside) == (open == Relation::inside);
     if (!agree) add("relation_to_umbra: " + hidden.refusal + text(relation_of(hidden.relation)), "cull", text(truth));
   }
@@ -84,11 +85,13 @@ class RegionJudgement {
   void add(const std::string& what, const std::string& kind, const std::string& expect) {
     if (!is_wrong_) ++report_.tally.disagreements;
     is_wrong_ = true;
-    report_.findings.push_back({kind, what + "; " + cases::write_case(kind, question_, expect)});
+    const RegionCase found{question_.region, question_.kind, question_.occluder, box_};
+    report_.findings.push_back({kind, what + "; " + cases::write_case(kind, found, expect)});
   }
 
-  RegionCase question_;
+  const RegionCase& question_;
   Report& report_;
+  Box box_;
   kernel::RegionShadowResult made_;
   oracle::RegionShadow truth_;
   bool is_wrong_ = false;  ///< the current case has a wrong answer

@@ -14,15 +14,13 @@ Vec3 negative(const Vec3& v) { return {-v.x, -v.y, -v.z}; }
 /// direction of view d of N . -d.
 template <class Plane>
 int sign_from(const Plane& plane, const Vec3& point, const RegionCorner& corner) {
-  return certified(
-      [&]<class A>(A& arithmetic) { return -arithmetic.sign(dot(normal<A>(plane), sight<A>(corner, point))); });
+  return certified([&]<class A>(A& arithmetic) { return -arithmetic.sign(dot(normal<A>(plane), sight<A>(corner, point))); });
 }
 
 int sign_at_point(const SightPlane& plane, const Vec3& x) {
   if (x == plane.point) return 0;
-  return certified([&]<class A>(A& arithmetic) {
-    return arithmetic.sign(dot(normal<A>(plane), difference<A>(x, plane.point)));
-  });
+  return certified(
+      [&]<class A>(A& arithmetic) { return arithmetic.sign(dot(normal<A>(plane), difference<A>(x, plane.point))); });
 }
 
 /// Makes the planes of one occluder for one region.
@@ -78,8 +76,8 @@ class Builder {
   }
 
   [[nodiscard]] bool has_no_eye_within(const SightPlane& plane) const {
-    return std::ranges::all_of(
-        corners_, [&](const RegionCorner& corner) { return sign_from(plane, plane.point, corner) <= 0; });
+    return std::ranges::all_of(corners_,
+                               [&](const RegionCorner& corner) { return sign_from(plane, plane.point, corner) <= 0; });
   }
 
   /// A plane through the edge and a corner touches the occluder if one of the two faces is turned to the corner. Where one
@@ -88,8 +86,8 @@ class Builder {
     for (std::size_t c = 0; c < corners_.size(); ++c) {
       const int left = signs_of(edge.left)[c], right = signs_of(edge.right)[c];
       if (left * right >= 0) continue;
-      const SightPlane plane =
-          left < 0 ? SightPlane{corners_[c], edge.to, edge.from, edge.to} : SightPlane{corners_[c], edge.from, edge.to, edge.from};
+      const SightPlane plane = left < 0 ? SightPlane{corners_[c], edge.to, edge.from, edge.to}
+                                        : SightPlane{corners_[c], edge.from, edge.to, edge.from};
       if (has_no_eye_within(plane)) planes_.sides.emplace_back(plane);
     }
   }

@@ -10,8 +10,8 @@
 //   side. Side planes from the other corners, and through the edges between two turned faces, cut off nothing that the near
 //   side leaves.
 //
-// A point of the penumbra is (1 + t) o - t e with a point o of the occluder, an eye e and t >= 0. These points are the sum of
-// the occluder and of the cone of the directions o - e. It is bounded by
+// A point of the penumbra is (1 + t) o - t e with a point o of the occluder, an eye e and t >= 0. These points are the sum
+// of the occluder and of the cone of the directions o - e. It is bounded by
 // - the near side: faces turned to all corners;
 // - planes that touch both occluder and region, which lie on different sides of them: through an edge of the occluder and a
 //   corner of the region, or through a vertex and an edge of the region.

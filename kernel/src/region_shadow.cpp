@@ -97,7 +97,8 @@ Relation plain(const RegionShadow& shadow, const Box& box, NearBoundary near) {
 }
 
 /// REQUIRES: the region does not meet the occluder, nor the plane of a polygon.
-std::shared_ptr<const StoredRegionShadow> shadow_of(const OccluderSurface& occluder, const EyeRegion& region, ShadowKind kind, Scratch& scratch) {
+std::shared_ptr<const StoredRegionShadow> shadow_of(const OccluderSurface& occluder, const EyeRegion& region,
+                                                    ShadowKind kind, Scratch& scratch) {
   StoredRegionShadow shadow;
   StoredFrustum& planes = shadow.planes;
   const RegionPlanes made = region_planes(occluder, region, kind, scratch.memory());
@@ -142,8 +143,10 @@ StoredFrustum planes_of(const OccluderSurface& occluder) {
 StoredFrustum planes_at_zero() {
   StoredFrustum planes;
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    planes.recipes.emplace_back(ExactPlane{.direct = true, .a_to = axis, .a_from = {}, .b_to = {}, .b_from = {}, .origin = {}});
-    planes.recipes.emplace_back(ExactPlane{.direct = true, .a_to = {}, .a_from = axis, .b_to = {}, .b_from = {}, .origin = {}});
+    planes.recipes.emplace_back(
+        ExactPlane{.direct = true, .a_to = axis, .a_from = {}, .b_to = {}, .b_from = {}, .origin = {}});
+    planes.recipes.emplace_back(
+        ExactPlane{.direct = true, .a_to = {}, .a_from = axis, .b_to = {}, .b_from = {}, .origin = {}});
   }
   planes.plane_count = planes.recipes.size();
   return planes;
@@ -204,8 +207,8 @@ RegionShadowResult RegionShadow::make(const EyeRegion& region, const ConvexPolyt
   if (region.kind == Viewpoint::Kind::direction && meets(planes_at_zero(), true, region.box)) {
     return {std::nullopt, Refusal::zero_direction};
   }
-  const bool has_eye_within = region.kind == Viewpoint::Kind::eye &&
-                              meets(planes_of(surface), is_moderate(surface.vertices), region.box);
+  const bool has_eye_within =
+      region.kind == Viewpoint::Kind::eye && meets(planes_of(surface), is_moderate(surface.vertices), region.box);
   if (has_eye_within || surface.faces.empty()) return {std::nullopt, Refusal::eye_in_polytope};
   return {RegionShadow(shadow_of(surface, region, kind, scratch)), Refusal::none};
 }

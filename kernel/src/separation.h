@@ -4,8 +4,8 @@
 // In the box's own coordinates u, |u_k| <= 1, plane i is m_i + a_i . u >= 0. By Farkas' lemma the two sets are disjoint
 // exactly when some sum of the planes with weights >= 0 is negative on the whole box. The largest value on the box is
 // m + sum_k |a_k|. It is linear in the weights as long as no a_k changes its sign. So it is enough to try the weights at the
-// corners of these ranges: one plane, which is stage 1 (box_plane.h); two planes, whose a_k cancel on one axis; three planes,
-// which do so on two axes. Four planes that cancel on all three axes would have a negative sum everywhere, and the
+// corners of these ranges: one plane, which is stage 1 (box_plane.h); two planes, whose a_k cancel on one axis; three
+// planes, which do so on two axes. Four planes that cancel on all three axes would have a negative sum everywhere, and the
 // intersection would be empty.
 #pragma once
 
@@ -41,7 +41,8 @@ template <class A>
   return {dot(plane.normal, twice_middle) + (plane.offset + plane.offset), {along(0), along(1), along(2)}};
 }
 
-/// Whether two or three planes together separate the box. `arithmetic` may not be able to tell some signs: then `true` is certain, and `false` is not.
+/// Whether two or three planes together separate the box. `arithmetic` may not be able to tell some signs: then `true` is
+/// certain, and `false` is not.
 template <class A>
 class Separation {
  public:

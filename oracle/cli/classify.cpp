@@ -129,7 +129,8 @@ void add_classify(Command app, int& exit_code) {
       "or\n"
       "{\"cover\":[polygon, ...]}, polygons that hide together: then the box is `inside` their joined shadow or `partial`,\n"
       "and there is neither `plain` nor `conservative`.\n"
-      "For a region of viewpoints, \"eyes\" or \"directions\" is {\"center\",\"half_edges\"}, and \"shadow\" is \"umbra\", what "
+      "For a region of viewpoints, \"eyes\" or \"directions\" is {\"center\",\"half_edges\"}, and \"shadow\" is \"umbra\", "
+      "what "
       "all of\n"
       "them have in shadow, or \"penumbra\", what at least one has; it begins at the \"surface\".\n" +
       fmt::format("A polytope has at most {} vertices, those of its faces counted, a cover {}.\n", cases::kMostCorners,

@@ -83,8 +83,8 @@ struct GivenPlane {
   }
 };
 
-/// The plane through viewpoints of a region and points: one corner of the region and two points, or two corners and one point.
-/// Its normal is zero where these do not span a plane.
+/// The plane through viewpoints of a region and points: one corner of the region and two points, or two corners and one
+/// point. Its normal is zero where these do not span a plane.
 struct RegionPlane {
   ViewRegion region;
   std::vector<unsigned> corners;  ///< indices in corners_of(region.box)
@@ -96,10 +96,9 @@ struct RegionPlane {
   HalfSpace<N> operator()() const {
     const std::vector<Vector<N>> all = corners_of<N>(region.box);
     const Vector<N> origin = vector_of<N>(points[0]);
-    const auto along = [&](unsigned corner) -> Vector<N> {
-      return region.at_infinity ? all[corner] : all[corner] - origin;
-    };
-    const Vector<N> first = along(corners[0]), second = corners.size() > 1 ? along(corners[1]) : vector_of<N>(points[1]) - origin;
+    const auto along = [&](unsigned corner) -> Vector<N> { return region.at_infinity ? all[corner] : all[corner] - origin; };
+    const Vector<N> first = along(corners[0]),
+                    second = corners.size() > 1 ? along(corners[1]) : vector_of<N>(points[1]) - origin;
     return {CGAL::cross_product(first, second), origin};
   }
 };

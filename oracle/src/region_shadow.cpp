@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::array<Point, 3> kAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// The sign of a half-space at corner `c` of the region; for a direction of view, at the eye at infinity from which it comes.
+/// The sign of a half-space at corner `c` of the region; for a direction of view, at the eye at infinity from which it
+/// comes.
 template <class Definition>
 CGAL::Sign side_of_corner(const Definition& definition, const ViewRegion& region, std::size_t c) {
   return sign_of([&]<class N>() -> N {
