@@ -11,10 +11,10 @@ namespace occlude::fuzz {
 namespace {
 
 using kernel::Aabb;
-using kernel::EyeRegion;
 using kernel::Obb;
 using kernel::Vec3;
 using kernel::Viewpoint;
+using kernel::ViewRegion;
 
 Vec3 plus(const Vec3& a, double factor, const Vec3& b) {
   return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};

@@ -26,7 +26,7 @@ int sign_at_point(const SightPlane& plane, const Vec3& x) {
 /// Makes the planes of one occluder for one region.
 class Builder {
  public:
-  Builder(const OccluderSurface& occluder, const EyeRegion& region, std::pmr::memory_resource& memory)
+  Builder(const OccluderSurface& occluder, const ViewRegion& region, std::pmr::memory_resource& memory)
       : occluder_(occluder), corners_(corners_of(region, memory)), signs_(&memory), planes_(memory), region_(region) {
     signs_.reserve(occluder.faces.size() * corners_.size());
     for (const ExactPlane& face : occluder.faces) {
@@ -118,12 +118,12 @@ class Builder {
   std::pmr::vector<RegionCorner> corners_;
   std::pmr::vector<int> signs_;  ///< of each face at each corner
   RegionPlanes planes_;
-  const EyeRegion& region_;
+  const ViewRegion& region_;
 };
 
 }  // namespace
 
-std::pmr::vector<RegionCorner> corners_of(const EyeRegion& region, std::pmr::memory_resource& memory) {
+std::pmr::vector<RegionCorner> corners_of(const ViewRegion& region, std::pmr::memory_resource& memory) {
   std::pmr::vector<RegionCorner> corners(&memory);
   corners.push_back({region.kind == Viewpoint::Kind::eye, region.box.center, {}});
   for (std::size_t k = 0; k < 3; ++k) {
@@ -141,7 +141,7 @@ std::pmr::vector<RegionCorner> corners_of(const EyeRegion& region, std::pmr::mem
 
 int sign_at(const ExactPlane& plane, const RegionCorner& corner) { return sign_from(plane, plane.origin, corner); }
 
-RegionPlanes region_planes(const OccluderSurface& occluder, const EyeRegion& region, ShadowKind kind,
+RegionPlanes region_planes(const OccluderSurface& occluder, const ViewRegion& region, ShadowKind kind,
                            std::pmr::memory_resource& memory) {
   Builder builder(occluder, region, memory);
   return kind == ShadowKind::umbra ? builder.umbra() : builder.penumbra();

@@ -44,7 +44,7 @@ struct OccluderSurface {
 };
 
 /// The corners of a region. Half edges of zero do not double them.
-[[nodiscard]] std::pmr::vector<RegionCorner> corners_of(const EyeRegion& region, std::pmr::memory_resource& memory);
+[[nodiscard]] std::pmr::vector<RegionCorner> corners_of(const ViewRegion& region, std::pmr::memory_resource& memory);
 
 /// Sign of a plane at a corner of a region; for a direction of view, at the eye at infinity from which it comes.
 [[nodiscard]] int sign_at(const ExactPlane& plane, const RegionCorner& corner);
@@ -57,7 +57,7 @@ struct RegionPlanes {
 };
 
 /// REQUIRES: the region does not meet the occluder, nor its plane if it is a polygon.
-[[nodiscard]] RegionPlanes region_planes(const OccluderSurface& occluder, const EyeRegion& region, ShadowKind kind,
+[[nodiscard]] RegionPlanes region_planes(const OccluderSurface& occluder, const ViewRegion& region, ShadowKind kind,
                                          std::pmr::memory_resource& memory);
 
 }  // namespace occlude::kernel

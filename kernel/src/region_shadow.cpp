@@ -18,7 +18,7 @@
 namespace occlude::kernel {
 namespace {
 
-Refusal check(const EyeRegion& region) {
+Refusal check(const ViewRegion& region) {
   if (const Refusal refusal = check(region.box); refusal != Refusal::none) return refusal;
   const bool is_zero = region.box == Obb{};
   return region.kind == Viewpoint::Kind::direction && is_zero ? Refusal::zero_direction : Refusal::none;
@@ -97,7 +97,7 @@ Relation plain(const RegionShadow& shadow, const Box& box, NearBoundary near) {
 }
 
 /// REQUIRES: the region does not meet the occluder, nor the plane of a polygon.
-std::shared_ptr<const StoredRegionShadow> shadow_of(const OccluderSurface& occluder, const EyeRegion& region,
+std::shared_ptr<const StoredRegionShadow> shadow_of(const OccluderSurface& occluder, const ViewRegion& region,
                                                     ShadowKind kind, Scratch& scratch) {
   StoredRegionShadow shadow;
   StoredFrustum& planes = shadow.planes;
@@ -165,7 +165,7 @@ bool meets(StoredFrustum planes, bool are_moderate, const Obb& box) {
 std::size_t RegionShadow::plane_count() const { return stored_->planes.plane_count; }
 std::size_t RegionShadow::near_count() const { return stored_->planes.near_count; }
 
-RegionShadowResult RegionShadow::make(const EyeRegion& region, std::span<const Vec3> loop, ShadowKind kind) {
+RegionShadowResult RegionShadow::make(const ViewRegion& region, std::span<const Vec3> loop, ShadowKind kind) {
   if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return {std::nullopt, refusal};
   if (const Refusal refusal = check(loop); refusal != Refusal::none) return {std::nullopt, refusal};
   if (const Refusal refusal = check(region); refusal != Refusal::none) return {std::nullopt, refusal};
@@ -193,7 +193,7 @@ RegionShadowResult RegionShadow::make(const EyeRegion& region, std::span<const V
   return {RegionShadow(shadow_of(surface, region, kind, scratch)), Refusal::none};
 }
 
-RegionShadowResult RegionShadow::make(const EyeRegion& region, const ConvexPolytope& polytope, ShadowKind kind) {
+RegionShadowResult RegionShadow::make(const ViewRegion& region, const ConvexPolytope& polytope, ShadowKind kind) {
   if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return {std::nullopt, refusal};
   if (const Refusal refusal = check(region); refusal != Refusal::none) return {std::nullopt, refusal};
   Scratch scratch;

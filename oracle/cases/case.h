@@ -28,7 +28,7 @@ struct Case {
 
 /// What is the relation of `box` to the umbra or penumbra of `occluder` for a region of viewpoints?
 struct RegionCase {
-  kernel::EyeRegion region;
+  kernel::ViewRegion region;
   kernel::ShadowKind kind = kernel::ShadowKind::umbra;
   Occluder occluder;
   Box box;

@@ -95,7 +95,7 @@ RegionLine read_region(const nlohmann::json& object) {
   const nlohmann::json& shadow = member(object, "shadow");
   if (shadow != "umbra" && shadow != "penumbra") throw LineError("\"shadow\": expected \"umbra\" or \"penumbra\"");
   const kernel::ShadowKind kind = shadow == "umbra" ? kernel::ShadowKind::umbra : kernel::ShadowKind::penumbra;
-  return {{eye_region(object), kind, occluder(member(object, "occluder")), box(object)}, expect_of(object)};
+  return {{view_region(object), kind, occluder(member(object, "occluder")), box(object)}, expect_of(object)};
 }
 
 std::string write_case(const std::string& id, const Case& question, const std::string& expect) {

@@ -87,7 +87,7 @@ Box box(const Json& object) {
   return oriented_box(value);
 }
 
-kernel::EyeRegion eye_region(const Json& object) {
+kernel::ViewRegion view_region(const Json& object) {
   const bool are_directions = object.contains("directions");
   for (const char* other : {are_directions ? "eyes" : "directions", "eye", "direction"}) {
     if (object.contains(other)) throw LineError("a region of viewpoints and \"" + std::string(other) + '"');
@@ -97,7 +97,7 @@ kernel::EyeRegion eye_region(const Json& object) {
   if (!value.is_object()) throw wrong(name, "expected an object");
   if (value.contains("radius")) throw wrong(name, "expected a box, by \"center\" and \"half_edges\"");
   const kernel::Obb box = oriented_box(value);
-  return are_directions ? kernel::EyeRegion::directions(box) : kernel::EyeRegion::eyes(box);
+  return are_directions ? kernel::ViewRegion::directions(box) : kernel::ViewRegion::eyes(box);
 }
 
 Occluder occluder(const Json& value) {

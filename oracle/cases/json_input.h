@@ -29,7 +29,7 @@ struct LineError : std::runtime_error {
 [[nodiscard]] kernel::Viewpoint viewpoint(const nlohmann::json& object);
 
 /// The member "eyes" or "directions": a box of eyes, or of directions of view, by "center" and "half_edges".
-[[nodiscard]] kernel::EyeRegion eye_region(const nlohmann::json& object);
+[[nodiscard]] kernel::ViewRegion view_region(const nlohmann::json& object);
 
 /// The member "box": "min" and "max", or "center" and "half_edges".
 [[nodiscard]] Box box(const nlohmann::json& object);

@@ -43,7 +43,7 @@ namespace occlude::cases {
   return std::visit([](const auto& kind) -> oracle::Occluder { return to_oracle(kind); }, occluder);
 }
 
-[[nodiscard]] inline oracle::ViewRegion to_oracle(const kernel::EyeRegion& region) {
+[[nodiscard]] inline oracle::ViewRegion to_oracle(const kernel::ViewRegion& region) {
   return {to_oracle(region.box), region.kind == kernel::Viewpoint::Kind::direction};
 }
 

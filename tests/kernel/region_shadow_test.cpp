@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/ask.h"
+#include "hand_cases.h"
 #include "kernel/cube.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
@@ -25,13 +26,13 @@ double above(double x) { return std::nextafter(x, HUGE_VAL); }
 double below(double x) { return std::nextafter(x, -HUGE_VAL); }
 
 /// A square of eyes at x = 0, of half side 1, and walls before it.
-const EyeRegion kSquare = EyeRegion::eyes({{0, 0, 0}, {{{0, 1, 0}, {0, 0, 1}, {}}}});
+const ViewRegion kSquare = ViewRegion::eyes({{0, 0, 0}, {{{0, 1, 0}, {0, 0, 1}, {}}}});
 
 std::vector<Vec3> wall(double x, double half) {
   return {{x, -half, -half}, {x, half, -half}, {x, half, half}, {x, -half, half}};
 }
 
-RegionShadow shadow(const EyeRegion& region, const std::vector<Vec3>& loop, ShadowKind kind) {
+RegionShadow shadow(const ViewRegion& region, const std::vector<Vec3>& loop, ShadowKind kind) {
   const auto [made, refusal] = RegionShadow::make(region, loop, kind);
   EXPECT_EQ(refusal, Refusal::none);
   return *made;
@@ -113,7 +114,7 @@ TEST_P(RegionRows, AnswerAtAnyScale) {
   const Row& row = GetParam();
   for (const double scale : {0x1p-60, 0x1p60}) {
     const auto scaled = [&](const Vec3& v) { return Vec3{scale * v.x, scale * v.y, scale * v.z}; };
-    EyeRegion region = kSquare;
+    ViewRegion region = kSquare;
     for (Vec3& half_edge : region.box.half_edges) half_edge = scaled(half_edge);
     std::vector<Vec3> loop = wall(2, row.w);
     for (Vec3& v : loop) v = scaled(v);
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, RegionRows, testing::ValuesIn(kRows),
 /// The corners of an oriented box are sums of four doubles, here 1 + 2^-60 + 2^-60: an ulp of a double beside 1.
 TEST(RegionShadow, CornersOfTheRegionAreNotRounded) {
   const auto relation = [](double more) {
-    const EyeRegion region = EyeRegion::eyes({{0, 1, 0}, {{{0, more, 0}, {0, more, 0}, {0, 0, 1}}}});
+    const ViewRegion region = ViewRegion::eyes({{0, 1, 0}, {{{0, more, 0}, {0, more, 0}, {0, 0, 1}}}});
     return overlap_certified(shadow(region, wall(2, 2), kUmbra), Aabb{{4, 0, 0}, {4, 3, 0}}).relation;
   };
   EXPECT_EQ(overlap_certified(shadow(kSquare, wall(2, 2), kUmbra), Aabb{{4, 0, 0}, {4, 3, 0}}).relation, kInside);
@@ -138,7 +139,7 @@ TEST(RegionShadow, CornersOfTheRegionAreNotRounded) {
 
 TEST(RegionShadow, DirectionsOfView) {
   // Slopes of -1 to 1: behind the wall at x = 2 the umbra is narrower by as much as it is farther.
-  const EyeRegion region = EyeRegion::directions({{1, 0, 0}, {{{0, 1, 0}, {}, {}}}});
+  const ViewRegion region = ViewRegion::directions({{1, 0, 0}, {{{0, 1, 0}, {}, {}}}});
   const RegionShadow umbra = shadow(region, wall(2, 2), kUmbra), penumbra = shadow(region, wall(2, 2), kPenumbra);
   EXPECT_EQ(overlap_certified(umbra, box(3, 0, 0)).relation, kInside);
   EXPECT_EQ(overlap_certified(umbra, Aabb{{3, -1, -2}, {3, 1, 2}}).relation, kInside);
@@ -151,13 +152,13 @@ TEST(RegionShadow, DirectionsOfView) {
 
 /// A cube of side 2 from (3, -1, -1).
 TEST(RegionShadow, OfACube) {
-  const auto relation = [](const EyeRegion& region, ShadowKind kind, const Aabb& asked) {
+  const auto relation = [](const ViewRegion& region, ShadowKind kind, const Aabb& asked) {
     const auto polytope = ConvexPolytope::make(occlude::cube({3, -1, -1})).polytope;
     const auto [made, refusal] = RegionShadow::make(region, *polytope, kind);
     EXPECT_EQ(refusal, Refusal::none);
     return overlap_certified(*made, asked).relation;
   };
-  const EyeRegion wide = EyeRegion::eyes({{0, 0, 0}, {{{0, 6, 0}, {}, {}}}});
+  const ViewRegion wide = ViewRegion::eyes({{0, 0, 0}, {{{0, 6, 0}, {}, {}}}});
   EXPECT_EQ(relation(wide, kUmbra, {{3, -1, -1}, {5, 1, 1}}), kInside) << "the cube itself";
   // The eyes at (0, 6) and (0, -6) pass the cube's far corners (5, 1) and (5, -1): the lines cross at (6, 0).
   EXPECT_EQ(relation(wide, kUmbra, {{5, 0, 0}, {6, 0, 0}}), kInside);
@@ -168,21 +169,35 @@ TEST(RegionShadow, OfACube) {
   EXPECT_EQ(relation(wide, kPenumbra, {{6, above(8), 0}, {6, 9, 0}}), kOutside);
 }
 
+class Regions : public testing::TestWithParam<occlude::HandRegion> {};
+
+TEST_P(Regions, AnswerAndStage) {
+  const occlude::HandRegion& c = GetParam();
+  const auto [made, refusal] = occlude::fuzz::make_shadow(c.question);
+  ASSERT_EQ(refusal, Refusal::none);
+  const Decision decision = occlude::fuzz::overlap(*made, c.question.box);
+  EXPECT_EQ(decision.relation, c.relation);
+  EXPECT_EQ(decision.stage, c.stage);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, Regions, testing::ValuesIn(occlude::hand_regions()),
+                         [](const auto& c) { return c.param.id; });
+
 TEST(RegionShadow, AsManyPlanesAsAShadow) {
-  const EyeRegion region = EyeRegion::eyes({{0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
+  const ViewRegion region = ViewRegion::eyes({{0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
   const RegionShadow umbra = shadow(region, wall(2, 1), kUmbra);
   EXPECT_EQ(umbra.plane_count(), 5U);
   EXPECT_EQ(umbra.near_count(), 1U);
 }
 
 TEST(RegionShadow, RefusesWithTheReason) {
-  const auto of_loop = [](const EyeRegion& region, const std::vector<Vec3>& loop) {
+  const auto of_loop = [](const ViewRegion& region, const std::vector<Vec3>& loop) {
     return RegionShadow::make(region, loop, kUmbra).refusal;
   };
-  const auto of_cube = [](const EyeRegion& region) {
+  const auto of_cube = [](const ViewRegion& region) {
     return RegionShadow::make(region, *ConvexPolytope::make(occlude::cube({3, -1, -1})).polytope, kPenumbra).refusal;
   };
-  const auto eyes = [](double half) { return EyeRegion::eyes({{0, 0, 0}, {{{half, 0, 0}, {0, 1, 0}, {}}}}); };
+  const auto eyes = [](double half) { return ViewRegion::eyes({{0, 0, 0}, {{{half, 0, 0}, {0, 1, 0}, {}}}}); };
   EXPECT_EQ(of_loop(eyes(below(2)), wall(2, 1)), Refusal::none);
   EXPECT_EQ(of_loop(eyes(2), wall(2, 1)), Refusal::eye_in_plane) << "a corner in the plane";
   EXPECT_EQ(of_loop(eyes(3), wall(2, 1)), Refusal::eye_in_plane) << "eyes on both sides";
@@ -190,17 +205,18 @@ TEST(RegionShadow, RefusesWithTheReason) {
   EXPECT_EQ(of_loop(kSquare, {{2, 0, 0}, {2, 1, 0}}), Refusal::too_few_vertices);
   EXPECT_EQ(of_loop(kSquare, {{2, 0, 0}, {2, 2, 0}, {2, 0.5, 0.5}, {2, 0, 2}}), Refusal::not_convex);
   EXPECT_EQ(of_loop(kSquare, {{2, 0, 0}, {2, 1, 0}, {above(2), 1, 1}, {2, 0, 1}}), Refusal::not_coplanar);
-  EXPECT_EQ(of_loop(EyeRegion::directions({}), wall(2, 1)), Refusal::zero_direction);
-  EXPECT_EQ(of_loop(EyeRegion::directions({{1, 0, 0}, {{{1, 0, 0}, {}, {}}}}), wall(2, 1)), Refusal::eye_in_plane);
-  EXPECT_EQ(of_loop(EyeRegion::eyes({{0, 0, 0}, {{{0, NAN, 0}, {}, {}}}}), wall(2, 1)), Refusal::not_finite);
-  EXPECT_EQ(of_loop(EyeRegion::eyes({{0, 0, 0x1p101}, {}}), wall(2, 1)), Refusal::out_of_range);
+  EXPECT_EQ(of_loop(ViewRegion::directions({}), wall(2, 1)), Refusal::zero_direction);
+  EXPECT_EQ(of_loop(ViewRegion::directions({{1, 0, 0}, {{{1, 0, 0}, {}, {}}}}), wall(2, 1)), Refusal::eye_in_plane);
+  EXPECT_EQ(of_loop(ViewRegion::eyes({{0, 0, 0}, {{{0, NAN, 0}, {}, {}}}}), wall(2, 1)), Refusal::not_finite);
+  EXPECT_EQ(of_loop(ViewRegion::eyes({{0, 0, 0x1p101}, {}}), wall(2, 1)), Refusal::out_of_range);
   EXPECT_EQ(of_cube(eyes(below(3))), Refusal::none);
   EXPECT_EQ(of_cube(eyes(3)), Refusal::eye_in_polytope) << "touching a face";
-  EXPECT_EQ(of_cube(EyeRegion::eyes({{4, 0, 0}, {{{9, 9, 0}, {}, {}}}})), Refusal::eye_in_polytope) << "all corners outside";
-  EXPECT_EQ(of_cube(EyeRegion::eyes({{6, 2, 0}, {{{3, -3, 0}, {}, {}}}})), Refusal::none) << "past an edge";
-  EXPECT_EQ(of_cube(EyeRegion::eyes({{5, 1, 0}, {{{3, -3, 0}, {}, {}}}})), Refusal::eye_in_polytope) << "at the edge";
-  EXPECT_EQ(of_cube(EyeRegion::directions({{1, 1, 0}, {{{2, 2, 0}, {}, {}}}})), Refusal::zero_direction);
-  EXPECT_EQ(of_cube(EyeRegion::directions({{1, 1, 0}, {{{2, 1, 0}, {}, {}}}})), Refusal::none) << "past zero";
+  EXPECT_EQ(of_cube(ViewRegion::eyes({{4, 0, 0}, {{{9, 9, 0}, {}, {}}}})), Refusal::eye_in_polytope)
+      << "all corners outside";
+  EXPECT_EQ(of_cube(ViewRegion::eyes({{6, 2, 0}, {{{3, -3, 0}, {}, {}}}})), Refusal::none) << "past an edge";
+  EXPECT_EQ(of_cube(ViewRegion::eyes({{5, 1, 0}, {{{3, -3, 0}, {}, {}}}})), Refusal::eye_in_polytope) << "at the edge";
+  EXPECT_EQ(of_cube(ViewRegion::directions({{1, 1, 0}, {{{2, 2, 0}, {}, {}}}})), Refusal::zero_direction);
+  EXPECT_EQ(of_cube(ViewRegion::directions({{1, 1, 0}, {{{2, 1, 0}, {}, {}}}})), Refusal::none) << "past zero";
 }
 
 /// Property (6).
@@ -236,7 +252,7 @@ TEST(RegionShadow, IsMadeOfTheShadowsFromTheCorners) {
     const Vec3 at{4 + whole(1), whole(1) - 3, whole(1) - 3}, u{whole(1), 6 + whole(2), whole(2)},
         v{whole(1), whole(2), 6 + whole(2)};
     const std::vector<Vec3> loop{at, {at.x + u.x, at.y + u.y, at.z + u.z}, {at.x + v.x, at.y + v.y, at.z + v.z}};
-    const EyeRegion region = EyeRegion::eyes({{0, 0, 0}, {{{0, whole(1), whole(1)}, {0, whole(1), 0}, {whole(1), 0, 0}}}});
+    const ViewRegion region = ViewRegion::eyes({{0, 0, 0}, {{{0, whole(1), whole(1)}, {0, whole(1), 0}, {whole(1), 0, 0}}}});
     const auto umbra = RegionShadow::make(region, loop, kUmbra).shadow,
                penumbra = RegionShadow::make(region, loop, kPenumbra).shadow;
     if (!umbra) continue;
@@ -283,8 +299,8 @@ TEST(RegionShadow, GrowsAndShrinksWithTheRegion) {
     const std::vector<Vec3> loop{
         {3 + real(1), real(2), real(2)}, {3 + real(1), real(2), real(2)}, {3 + real(1), real(2), real(2)}};
     const auto relations = [&](const Obb& eyes, const Aabb& asked) {
-      const auto umbra = RegionShadow::make(EyeRegion::eyes(eyes), loop, kUmbra).shadow;
-      const auto penumbra = RegionShadow::make(EyeRegion::eyes(eyes), loop, kPenumbra).shadow;
+      const auto umbra = RegionShadow::make(ViewRegion::eyes(eyes), loop, kUmbra).shadow;
+      const auto penumbra = RegionShadow::make(ViewRegion::eyes(eyes), loop, kPenumbra).shadow;
       return umbra ? std::vector{overlap_certified(*umbra, asked).relation, overlap_certified(*penumbra, asked).relation}
                    : std::vector<Relation>{};
     };

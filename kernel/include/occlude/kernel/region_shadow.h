@@ -18,13 +18,13 @@ namespace occlude::kernel {
 
 /// Where the scene is seen from: any eye in a box, or any direction of view in a box of directions. The half edges of the
 /// box may be any vectors, also zero: with three of them zero the region is one viewpoint.
-struct EyeRegion {
+struct ViewRegion {
   Viewpoint::Kind kind = Viewpoint::Kind::eye;
   Obb box;
 
-  static EyeRegion eyes(const Obb& box) { return {Viewpoint::Kind::eye, box}; }
-  static EyeRegion directions(const Obb& box) { return {Viewpoint::Kind::direction, box}; }
-  friend bool operator==(const EyeRegion&, const EyeRegion&) = default;
+  static ViewRegion eyes(const Obb& box) { return {Viewpoint::Kind::eye, box}; }
+  static ViewRegion directions(const Obb& box) { return {Viewpoint::Kind::direction, box}; }
+  friend bool operator==(const ViewRegion&, const ViewRegion&) = default;
 };
 
 /// From each viewpoint of the region the shadow is the one that begins at the occluder (Near::surface): every point whose
@@ -48,8 +48,8 @@ class RegionShadow {
   /// 3. a region that meets the plane of the polygon, and collinear vertices (eye_in_plane);
   /// 4. a region of eyes that meets the polytope (eye_in_polytope), and a region of directions that contains zero
   ///    (zero_direction).
-  [[nodiscard]] static RegionShadowResult make(const EyeRegion& region, std::span<const Vec3> loop, ShadowKind kind);
-  [[nodiscard]] static RegionShadowResult make(const EyeRegion& region, const ConvexPolytope& polytope, ShadowKind kind);
+  [[nodiscard]] static RegionShadowResult make(const ViewRegion& region, std::span<const Vec3> loop, ShadowKind kind);
+  [[nodiscard]] static RegionShadowResult make(const ViewRegion& region, const ConvexPolytope& polytope, ShadowKind kind);
 
   /// Planes of the near side and of the other sides. Of an umbra, the near side are the faces turned to some viewpoint of
   /// the region, and there is one other side for each edge between these and the rest: as many planes as a shadow from one
