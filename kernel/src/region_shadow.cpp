@@ -24,6 +24,10 @@ Refusal check(const ViewRegion& region) {
   return region.kind == Viewpoint::Kind::direction && is_zero ? Refusal::zero_direction : Refusal::none;
 }
 
+/// There are as many outlines as pairs of planes, and making the extents takes all of three. Beyond this many planes it
+/// takes longer than many tests would gain: a box is cut by few of the planes, which the test then asks alone.
+constexpr std::size_t kMostOutlined = 16;
+
 /// Whether two or three planes together separate their intersection from the box, exactly. REQUIRES: it is not empty.
 template <class Box>
 bool is_separated_exactly(const StoredFrustum& planes, bool are_moderate, const Box& box) {
@@ -53,7 +57,7 @@ bool is_separated(const StoredRegionShadow& shadow, const Obb& box, Stage& stage
 
 /// By the outlines and extents that are stored, where these suffice.
 bool is_separated(const StoredRegionShadow& shadow, const Aabb& box, Stage& stage) {
-  if (!shadow.is_moderate) return is_separated(shadow.planes, false, box, stage);
+  if (!shadow.has_outlines) return is_separated(shadow.planes, shadow.is_moderate, box, stage);
   bool is_known = true;
   for (int axis = 0; axis < 3; ++axis) {
     const auto& [least, greatest] = shadow.extents[static_cast<std::size_t>(axis)];
@@ -109,7 +113,8 @@ std::shared_ptr<const StoredRegionShadow> shadow_of(const OccluderSurface& occlu
   planes.plane_count = planes.recipes.size();
   round_planes(planes, planes.filter_bound);
   shadow.is_moderate = is_moderate(region.box) && is_moderate(occluder.vertices);
-  if (shadow.is_moderate) add_outlines(shadow);
+  shadow.has_outlines = shadow.is_moderate && planes.plane_count <= kMostOutlined;
+  if (shadow.has_outlines) add_outlines(shadow);
   return std::make_shared<const StoredRegionShadow>(std::move(shadow));
 }
 

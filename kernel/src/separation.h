@@ -50,11 +50,12 @@ class Separation {
 
   template <class Box>
   Separation(A& arithmetic, const StoredFrustum& planes, const Box& box) : arithmetic_(arithmetic) {
-    planes_.reserve(planes.plane_count);
-    signs_.reserve(planes.plane_count);
     for (std::size_t i = 0; i < planes.plane_count; ++i) {
-      planes_.push_back(over_box(coefficients<A>(planes, planes.recipes[i]), planes.origin, box));
-      const auto sign = [&](int k) { return arithmetic_.sign(planes_.back().along[k]); };
+      const auto plane = over_box(coefficients<A>(planes, planes.recipes[i]), planes.origin, box);
+      const Number spread = magnitude(plane.along.x) + magnitude(plane.along.y) + magnitude(plane.along.z);
+      if (arithmetic_.sign(plane.middle - spread) > 0) continue;  // it cuts off nothing of the box
+      planes_.push_back(plane);
+      const auto sign = [&](int k) { return arithmetic_.sign(plane.along[k]); };
       signs_.push_back({sign(0), sign(1), sign(2)});
     }
   }

@@ -24,7 +24,8 @@ struct Extent {
 
 struct StoredRegionShadow {
   StoredFrustum planes;
-  bool is_moderate = false;           ///< all numbers are (moderate.h). Else the rest is not made, and stays empty
+  bool is_moderate = false;           ///< all numbers are (moderate.h)
+  bool has_outlines = false;          ///< else the rest is empty
   std::vector<FilterPlane> outlines;  ///< sums of two planes that change along one axis no more
   FilterBound outline_bound;
   std::array<Extent, 3> extents;

@@ -95,7 +95,11 @@ RegionLine read_region(const nlohmann::json& object) {
   const nlohmann::json& shadow = member(object, "shadow");
   if (shadow != "umbra" && shadow != "penumbra") throw LineError("\"shadow\": expected \"umbra\" or \"penumbra\"");
   const kernel::ShadowKind kind = shadow == "umbra" ? kernel::ShadowKind::umbra : kernel::ShadowKind::penumbra;
-  return {{view_region(object), kind, occluder(member(object, "occluder")), box(object)}, expect_of(object)};
+  RegionLine line{{view_region(object), kind, occluder(member(object, "occluder")), box(object)}, expect_of(object)};
+  if (vertices_of(line.question.occluder).size() > kMostRegionVertices) {
+    throw LineError("\"occluder\": more than " + std::to_string(kMostRegionVertices) + " vertices, seen from a region");
+  }
+  return line;
 }
 
 std::string write_case(const std::string& id, const Case& question, const std::string& expect) {

@@ -38,6 +38,9 @@ struct LineError : std::runtime_error {
 /// every vertex, which takes seconds at this limit. (The time for a polygon is proportional to its vertices.)
 inline constexpr std::size_t kMostCorners = 4096;
 
+/// Most vertices of an occluder seen from a region. The time of oracle and kernel may grow with the cube of their number.
+inline constexpr std::size_t kMostRegionVertices = 128;
+
 /// An occluder: "polygon", or "vertices" and "faces". An index beyond 32 bits becomes the largest 32-bit one, so it stays
 /// too large. Throws LineError for a polytope with more than kMostCorners.
 [[nodiscard]] Occluder occluder(const nlohmann::json& value);

@@ -133,8 +133,9 @@ void add_classify(Command app, int& exit_code) {
       "what "
       "all of\n"
       "them have in shadow, or \"penumbra\", what at least one has; it begins at the \"surface\".\n" +
-      fmt::format("A polytope has at most {} vertices, those of its faces counted, a cover {}.\n", cases::kMostCorners,
-                  render::kMostCoverVertices) +
+      fmt::format(
+          "A polytope has at most {} vertices, those of its faces counted, a cover {}, an occluder seen from a region {}.\n",
+          cases::kMostCorners, render::kMostCoverVertices, cases::kMostRegionVertices) +
       limits_help() +
       "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},)"

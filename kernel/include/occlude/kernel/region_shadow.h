@@ -76,7 +76,7 @@ struct RegionShadowResult {
 /// (5) the relation to the umbra of a region is `inside` if and only if it is `inside` the shadow from each corner of the
 ///     region; a smaller region has a larger umbra and a smaller penumbra;
 /// (6) of a region of one viewpoint, umbra and penumbra are the shadow frustum with Near::surface.
-/// The time of `overlap` grows with the cube of the number of planes where the filter cannot tell, and for oriented boxes.
+/// Where several planes cut the box, the time of `overlap` may grow with the cube of their number.
 /// `overlap` may allocate. REQUIRES (not checked): check(box) == Refusal::none, and rounding to nearest (validity.h).
 [[nodiscard]] Decision overlap_certified(const RegionShadow& shadow, const Aabb& box,
                                          NearBoundary near = NearBoundary::closed);
