@@ -6,7 +6,8 @@
 // m + sum_k |a_k|. It is linear in the weights as long as no a_k changes its sign. So it is enough to try the weights at the
 // corners of these ranges: one plane, which is stage 1 (box_plane.h); two planes, whose a_k cancel on one axis; three
 // planes, which do so on two axes. Four planes that cancel on all three axes would have a negative sum everywhere, and the
-// intersection would be empty.
+// intersection would be empty. Planes that do not cut the box are left out first: without them the intersection is larger,
+// but has the same points of the box.
 #pragma once
 
 #include <array>
