@@ -109,17 +109,36 @@ TEST_P(RegionRows, Answer) {
   EXPECT_EQ(overlap_certified(of_wall, same, NearBoundary::open).relation, row.open);
 }
 
-/// The same far beyond what doubles can multiply: everything scaled by powers of two.
-TEST_P(RegionRows, AnswerAtAnyScale) {
+/// Whether doubles hold the products of all coordinates.
+bool is_exact(double factor, const Aabb& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double x : {box.min[axis], box.max[axis]}) {
+      if (std::fma(factor, x, -factor * x) != 0) return false;
+    }
+  }
+  return true;
+}
+
+/// The same after a linear map, and far beyond what doubles can multiply, with as many digits as fit. So no coordinate is
+/// zero, and three planes of a corner of the shadow have nothing in common with the axes.
+TEST_P(RegionRows, AnswerAtAnyScaleAfterALinearMap) {
   const Row& row = GetParam();
-  for (const double scale : {0x1p-60, 0x1p60}) {
-    const auto scaled = [&](const Vec3& v) { return Vec3{scale * v.x, scale * v.y, scale * v.z}; };
+  const Obb same = oriented(row.box);
+  for (const double scale : {1., (1 + 0x1p-40) * 0x1p-90, (1 + 0x1p-40) * 0x1p60}) {
+    if (!is_exact(1 + 0x1p-40, row.box) || !is_same(row.box, same)) return;
+    const auto mapped = [&](const Vec3& v) {
+      return Vec3{scale * (v.x + 2 * v.y - v.z), scale * (3 * v.x + v.y + v.z), scale * (2 * v.y + 3 * v.z - v.x)};
+    };
+    const auto map_all = [&](auto& points) {
+      for (Vec3& v : points) v = mapped(v);
+    };
     ViewRegion region = kSquare;
-    for (Vec3& half_edge : region.box.half_edges) half_edge = scaled(half_edge);
+    map_all(region.box.half_edges);
     std::vector<Vec3> loop = wall(2, row.w);
-    for (Vec3& v : loop) v = scaled(v);
-    const RegionShadow of_wall = shadow(region, loop, row.kind);
-    EXPECT_EQ(overlap_certified(of_wall, Aabb{scaled(row.box.min), scaled(row.box.max)}).relation, row.closed);
+    map_all(loop);
+    Obb asked{mapped(same.center), same.half_edges};
+    map_all(asked.half_edges);
+    EXPECT_EQ(overlap_certified(shadow(region, loop, row.kind), asked).relation, row.closed) << scale;
   }
 }
 
