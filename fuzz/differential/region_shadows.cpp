@@ -57,8 +57,6 @@ class RegionJudgement {
     const bool touches = truth == Relation::inside && truth_.reaches_surface(to_oracle(box_));
     const Relation open = touches ? Relation::partial : truth;
     compare("certified, near plane open", overlap(*made_.shadow, box_, NearBoundary::open).relation, open);
-    ++report_.tally.others_asked;
-    report_.tally.plain.count(overlap_plain(*made_.shadow, box_), truth);
     if (twice) judge_again(truth, open);
   }
 
