@@ -35,11 +35,14 @@ HandAnswer answer_of(const Json& object) {
 struct Corpus {
   std::vector<HandCase> cases;
   std::vector<HandCover> covers;
+  std::vector<HandRegion> regions;
 
   void add(const Json& object) {
     if (cases::is_cover(object)) {
       auto [viewpoint, polygons, box, expect] = cases::read_cover(object);
       covers.push_back({answer_of(object), viewpoint, std::move(polygons), box});
+    } else if (cases::is_region(object)) {
+      regions.push_back({answer_of(object), cases::read_region(object).question});
     } else {
       cases.push_back({answer_of(object), cases::read_case(object).question});
     }
@@ -76,6 +79,7 @@ const Corpus& corpus() {
 
 const std::vector<HandCase>& hand_cases() { return corpus().cases; }
 const std::vector<HandCover>& hand_covers() { return corpus().covers; }
+const std::vector<HandRegion>& hand_regions() { return corpus().regions; }
 
 std::vector<HandCase> hand_cases(const std::string& beginning) {
   std::vector<HandCase> some;

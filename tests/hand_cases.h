@@ -33,9 +33,17 @@ struct HandCover : HandAnswer {
   friend void PrintTo(const HandCover& c, std::ostream* out) { *out << c.id; }
 };
 
+/// A box and the umbra or penumbra for a region of viewpoints.
+struct HandRegion : HandAnswer {
+  cases::RegionCase question;
+
+  friend void PrintTo(const HandRegion& c, std::ostream* out) { *out << c.id; }
+};
+
 /// In the order of the files. Throws std::runtime_error, naming file and line, for a line that is not such a case.
 [[nodiscard]] const std::vector<HandCase>& hand_cases();
 [[nodiscard]] const std::vector<HandCover>& hand_covers();
+[[nodiscard]] const std::vector<HandRegion>& hand_regions();
 
 /// Those of an occluder or a group: whose ids begin so.
 [[nodiscard]] std::vector<HandCase> hand_cases(const std::string& beginning);

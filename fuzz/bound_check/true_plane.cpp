@@ -35,6 +35,13 @@ TruePlane build(const kernel::StoredFrustum& frustum, const kernel::CutVertexPla
   return scaled(through(vertex, normal_of(plane.face)), speed);
 }
 
+TruePlane build(const kernel::StoredFrustum&, const kernel::SightPlane& plane) {
+  Vector corner = vector_of(plane.corner.at);
+  for (const kernel::Vec3& move : plane.corner.moves) corner = corner + vector_of(move);
+  const Vector sight = plane.corner.is_eye ? vector_of(plane.point) - corner : corner;
+  return through(vector_of(plane.point), CGAL::cross_product(sight, vector_of(plane.to) - vector_of(plane.from)));
+}
+
 }  // namespace
 
 Vector vector_of(const kernel::Vec3& v) { return {Exact(v.x), Exact(v.y), Exact(v.z)}; }

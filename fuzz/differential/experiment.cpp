@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiment.h"
 
+#include <utility>
+
 #include "overlap.h"
 #include "rows.h"
 
@@ -19,6 +21,10 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"view_frustum", run_view_frusta});
     list.push_back({"cones", run_cones});
     list.push_back({"occludees", run_occludees});
+    for (const auto& [name, kind] :
+         {std::pair{"umbra", kernel::ShadowKind::umbra}, {"penumbra", kernel::ShadowKind::penumbra}}) {
+      list.push_back({name, [kind](std::uint64_t seed, Report& report) { run_region_shadows(kind, seed, report); }});
+    }
     list.push_back({"cover", run_covers});
     list.push_back({"culler", run_culling});
     list.push_back({"forgery", run_forgeries});

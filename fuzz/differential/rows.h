@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "occlude/kernel/region_shadow.h"
 #include "report.h"
 
 namespace occlude::fuzz {
@@ -32,6 +33,10 @@ void run_occludees(std::uint64_t seed, Report& report);
 /// Compares boxes with the joined shadow of several polygons (kernel/judge, cover.h): pieces of a polygon that fit exactly
 /// or nearly, and any polygons on a lattice.
 void run_covers(std::uint64_t seed, Report& report);
+
+/// Compares boxes with the umbra or penumbra of an occluder for a region of viewpoints (kernel/region_shadow.h), as
+/// region_questions.h makes them.
+void run_region_shadows(kernel::ShadowKind kind, std::uint64_t seed, Report& report);
 
 /// Compares frames of the culler with the promises of culling (cull_judge.h) and with a traversal that has no active sets.
 /// The scenes are small: walls, boxes and folded loops on a lattice, and soups. The eye is in odd places and moves or jumps.

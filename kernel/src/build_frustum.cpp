@@ -52,7 +52,8 @@ void round_to_floats(StoredFrustum& frustum) {
   while (frustum.coarse_planes.size() % kCoarseWidth != 0) frustum.coarse_planes.push_back(frustum.coarse_planes.back());
 }
 
-/// Rounds the planes that are not yet rounded. `common` becomes a bound for all of them.
+}  // namespace
+
 void round_planes(StoredFrustum& frustum, FilterBound& common) {
   frustum.filter_planes.reserve(frustum.recipes.size());
   frustum.refined_planes.reserve(frustum.recipes.size());
@@ -64,8 +65,6 @@ void round_planes(StoredFrustum& frustum, FilterBound& common) {
     frustum.refined_planes.push_back(refined);
   }
 }
-
-}  // namespace
 
 void clear(StoredFrustum& frustum) {
   frustum.viewpoint = {};

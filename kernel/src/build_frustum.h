@@ -15,6 +15,9 @@ namespace occlude::kernel {
 [[nodiscard]] Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
                             PolytopeSilhouette& seen);
 
+/// Rounds the planes that are not yet rounded. `common` becomes a bound for all of them.
+void round_planes(StoredFrustum& frustum, FilterBound& common);
+
 /// As ShadowFrustum::prepare_overlap().
 void add_profile(StoredFrustum& frustum);
 

@@ -5,7 +5,9 @@
 // product of n such factors is 1 + t with |t| <= g(n) = n u / (1 - n u). With every magnitude 0 or in the legal range
 // (validity.h) the smallest non-zero difference of coordinates is 2^-152 and the largest 2^101. All expressions are of
 // degree at most six in those, so they and their 53-bit tails and error terms stay between 2^-1022 and 2^1023: nothing
-// overflows and nothing underflows. Fused multiply-adds round less often than the model, and every bound below holds in any
+// overflows and nothing underflows. A corner of a region of viewpoints is a sum of four numbers, so that a difference to it
+// is below 2^103; no expression has more than four such factors. moderate.h is about the few expressions of a higher degree.
+// Fused multiply-adds round less often than the model, and every bound below holds in any
 // order of summation. So instruction sets and compilers may differ, but answers do not.
 //
 // The scaling of stored planes by powers of two (rounded_plane.cpp) does not overflow or underflow either. With axes that

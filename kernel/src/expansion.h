@@ -58,7 +58,8 @@ class Expansion {
 
  private:
   /// Compressed terms stand at least 53 binary places apart. The lowest bit of an input is at least 2^-152 and the kernel
-  /// multiplies at most six of them: all bits lie between 2^-912 and 2^(6 * 101 + 12), which 30 terms span. Numbers that are
+  /// multiplies at most six of them: all bits lie between 2^-912 and 2^(6 * 101 + 20), which 30 terms span; for nine see
+  /// moderate.h. Numbers that are
   /// not legal may need more. Then the sum means nothing, and the terms beyond the capacity are dropped.
   static constexpr std::size_t kCapacity = 32;
 

@@ -91,6 +91,27 @@ template <class A>
   return {speed * face.normal, speed * face.offset + at_corner * dot(face.normal, d)};
 }
 
+/// The line of sight from a corner of a region to a point, away from the viewer.
+template <class A>
+[[nodiscard]] Vector3<typename A::Number> sight(const RegionCorner& corner, const Vec3& point) {
+  auto sum = corner.is_eye ? difference<A>(point, corner.at) : constants<A>(corner.at);
+  for (const Vec3& move : corner.moves) {
+    sum = corner.is_eye ? sum - constants<A>(move) : sum + constants<A>(move);
+  }
+  return sum;
+}
+
+template <class A>
+[[nodiscard]] Vector3<typename A::Number> normal(const SightPlane& plane) {
+  return cross(sight<A>(plane.corner, plane.point), difference<A>(plane.to, plane.from));
+}
+
+template <class A>
+[[nodiscard]] PlaneCoefficients<A> coefficients(const StoredFrustum& frustum, const SightPlane& plane) {
+  const auto n = normal<A>(plane);
+  return {n, -dot(n, difference<A>(plane.point, frustum.origin))};
+}
+
 template <class A>
 [[nodiscard]] PlaneCoefficients<A> coefficients(const StoredFrustum& frustum, const PlaneRecipe& recipe) {
   return std::visit([&](const auto& plane) { return coefficients<A>(frustum, plane); }, recipe);

@@ -38,8 +38,26 @@ struct CutVertexPlane {
   friend bool operator==(const CutVertexPlane&, const CutVertexPlane&) = default;
 };
 
+/// A corner of a region of eyes or of directions of view: exactly the sum of `at` and `moves`.
+struct RegionCorner {
+  bool is_eye = true;
+  Vec3 at;
+  std::array<Vec3, 3> moves;
+
+  friend bool operator==(const RegionCorner&, const RegionCorner&) = default;
+};
+
+/// The plane through `point`, along the line of sight from a corner of a region to it and along to - from. Its inner side is
+/// where (sight x (to - from)) . (x - point) >= 0.
+struct SightPlane {
+  RegionCorner corner;
+  Vec3 point, to, from;
+
+  friend bool operator==(const SightPlane&, const SightPlane&) = default;
+};
+
 /// A plane by input coordinates alone: nothing is rounded.
-using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
+using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane, SightPlane>;
 
 /// A bound on rounding errors: at a vertex of a box the value of a FilterPlane is off by at most slope * reach + base
 /// (error_bounds.h). `reach` bounds every coordinate of the box, in magnitude, relative to the origin of the frustum.

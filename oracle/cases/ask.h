@@ -19,22 +19,35 @@ namespace occlude::cases {
   return kernel::ShadowFrustum::make(c.viewpoint, *polytope, c.near);
 }
 
+[[nodiscard]] inline kernel::RegionShadowResult make_shadow(const RegionCase& c) {
+  if (const auto* const polygon = std::get_if<Polygon>(&c.occluder)) {
+    return kernel::RegionShadow::make(c.region, *polygon, c.kind);
+  }
+  const auto [polytope, refusal] = kernel::ConvexPolytope::make(std::get<kernel::Polytope>(c.occluder));
+  if (!polytope) return {std::nullopt, refusal};
+  return kernel::RegionShadow::make(c.region, *polytope, c.kind);
+}
+
 [[nodiscard]] inline kernel::Refusal check(const Box& box) {
   return std::visit([](const auto& kind) { return kernel::check(kind); }, box);
 }
 
-[[nodiscard]] inline kernel::Decision overlap(const kernel::ShadowFrustum& frustum, const Box& box,
-                                              kernel::NearBoundary near = kernel::NearBoundary::closed) {
-  return std::visit([&](const auto& kind) { return kernel::overlap_certified(frustum, kind, near); }, box);
+/// Here and below, `shadow` is a ShadowFrustum or a RegionShadow.
+template <class Shadow>
+[[nodiscard]] kernel::Decision overlap(const Shadow& shadow, const Box& box,
+                                       kernel::NearBoundary near = kernel::NearBoundary::closed) {
+  return std::visit([&](const auto& kind) { return kernel::overlap_certified(shadow, kind, near); }, box);
 }
 
-[[nodiscard]] inline kernel::Decision conservative(const kernel::ShadowFrustum& frustum, const Box& box,
-                                                   kernel::NearBoundary near = kernel::NearBoundary::closed) {
-  return std::visit([&](const auto& kind) { return kernel::conservative_certified(frustum, kind, near); }, box);
+template <class Shadow>
+[[nodiscard]] kernel::Decision conservative(const Shadow& shadow, const Box& box,
+                                            kernel::NearBoundary near = kernel::NearBoundary::closed) {
+  return std::visit([&](const auto& kind) { return kernel::conservative_certified(shadow, kind, near); }, box);
 }
 
-[[nodiscard]] inline kernel::Relation overlap_plain(const kernel::ShadowFrustum& frustum, const Box& box) {
-  return std::visit([&](const auto& kind) { return kernel::overlap_plain(frustum, kind); }, box);
+template <class Shadow>
+[[nodiscard]] kernel::Relation overlap_plain(const Shadow& shadow, const Box& box) {
+  return std::visit([&](const auto& kind) { return kernel::overlap_plain(shadow, kind); }, box);
 }
 
 }  // namespace occlude::cases

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "occlude/kernel/region_shadow.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/types.h"
 
@@ -22,6 +23,14 @@ struct Case {
   kernel::Viewpoint viewpoint;
   Occluder occluder;
   Near near = Near::farthest;
+  Box box;
+};
+
+/// What is the relation of `box` to the umbra or penumbra of `occluder` for a region of viewpoints?
+struct RegionCase {
+  kernel::ViewRegion region;
+  kernel::ShadowKind kind = kernel::ShadowKind::umbra;
+  Occluder occluder;
   Box box;
 };
 

@@ -49,6 +49,18 @@ OrderedJson json(const kernel::Obb& box) {
   return {{"center", json(box.center)}, {"half_edges", json_of_all(box.half_edges)}};
 }
 
+template <class Variant>
+OrderedJson json_of_any(const Variant& variant) {
+  return std::visit([](const auto& kind) { return json(kind); }, variant);
+}
+
+/// The line with what all kinds of cases end with.
+std::string finished(OrderedJson line, const Box& box, const std::string& expect) {
+  line["box"] = json_of_any(box);
+  if (!expect.empty()) line["expect"] = expect;
+  return line.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
 }  // namespace
 
 OrderedJson case_id(const nlohmann::json& object) {
@@ -74,15 +86,37 @@ CoverLine read_cover(const nlohmann::json& object) {
   return {viewpoint(object), cover(occluder["cover"]), box(object), expect_of(object)};
 }
 
+bool is_region(const nlohmann::json& object) { return object.contains("eyes") || object.contains("directions"); }
+
+RegionLine read_region(const nlohmann::json& object) {
+  if (object.contains("near") && object["near"] != "surface") {
+    throw LineError("\"near\": the shadow of a region begins at the \"surface\"");
+  }
+  const nlohmann::json& shadow = member(object, "shadow");
+  if (shadow != "umbra" && shadow != "penumbra") throw LineError("\"shadow\": expected \"umbra\" or \"penumbra\"");
+  const kernel::ShadowKind kind = shadow == "umbra" ? kernel::ShadowKind::umbra : kernel::ShadowKind::penumbra;
+  RegionLine line{{view_region(object), kind, occluder(member(object, "occluder")), box(object)}, expect_of(object)};
+  if (vertices_of(line.question.occluder).size() > kMostRegionVertices) {
+    throw LineError("\"occluder\": more than " + std::to_string(kMostRegionVertices) + " vertices, seen from a region");
+  }
+  return line;
+}
+
 std::string write_case(const std::string& id, const Case& question, const std::string& expect) {
-  const auto write = [](const auto& kind) { return json(kind); };
   OrderedJson line{{"id", id}};
   line[question.viewpoint.is_eye() ? "eye" : "direction"] = json(question.viewpoint.value);
-  line["occluder"] = std::visit(write, question.occluder);
+  line["occluder"] = json_of_any(question.occluder);
   line["near"] = question.near == kernel::Near::farthest ? "farthest" : "surface";
-  line["box"] = std::visit(write, question.box);
-  if (!expect.empty()) line["expect"] = expect;
-  return line.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  return finished(std::move(line), question.box, expect);
+}
+
+std::string write_case(const std::string& id, const RegionCase& question, const std::string& expect) {
+  OrderedJson line{{"id", id}};
+  const auto& [kind, box] = question.region;
+  line[kind == kernel::Viewpoint::Kind::eye ? "eyes" : "directions"] = json(box);
+  line["occluder"] = json_of_any(question.occluder);
+  line["shadow"] = question.kind == kernel::ShadowKind::umbra ? "umbra" : "penumbra";
+  return finished(std::move(line), question.box, expect);
 }
 
 }  // namespace occlude::cases

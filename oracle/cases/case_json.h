@@ -35,7 +35,19 @@ struct CoverLine {
 
 [[nodiscard]] CoverLine read_cover(const nlohmann::json& object);
 
+/// A question about the umbra or penumbra of an occluder for a region of viewpoints.
+struct RegionLine {
+  RegionCase question;
+  std::optional<std::string> expect;
+};
+
+/// Whether the object has "eyes" or "directions".
+[[nodiscard]] bool is_region(const nlohmann::json& object);
+
+[[nodiscard]] RegionLine read_region(const nlohmann::json& object);
+
 /// The line that reads back as the same case, without a line break. An empty `expect` is left out.
 [[nodiscard]] std::string write_case(const std::string& id, const Case& question, const std::string& expect);
+[[nodiscard]] std::string write_case(const std::string& id, const RegionCase& question, const std::string& expect);
 
 }  // namespace occlude::cases

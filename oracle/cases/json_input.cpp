@@ -41,6 +41,12 @@ std::size_t corners(const kernel::Polytope& polytope) {
   return sum;
 }
 
+kernel::Obb oriented_box(const Json& value) {
+  const auto half_edges = vec3s(member(value, "half_edges"), "half_edges");
+  if (half_edges.size() != 3) throw wrong("half_edges", "expected three of them");
+  return {vec3(member(value, "center"), "center"), {half_edges[0], half_edges[1], half_edges[2]}};
+}
+
 }  // namespace
 
 const Json& member(const Json& object, const char* name) {
@@ -78,9 +84,20 @@ Box box(const Json& object) {
   const bool oriented = value.contains("center") || value.contains("half_edges");
   if (oriented && (value.contains("min") || value.contains("max"))) throw wrong("box", "both \"min\" and \"center\"");
   if (!oriented) return kernel::Aabb{vec3(member(value, "min"), "min"), vec3(member(value, "max"), "max")};
-  const auto half_edges = vec3s(member(value, "half_edges"), "half_edges");
-  if (half_edges.size() != 3) throw wrong("half_edges", "expected three of them");
-  return kernel::Obb{vec3(member(value, "center"), "center"), {half_edges[0], half_edges[1], half_edges[2]}};
+  return oriented_box(value);
+}
+
+kernel::ViewRegion view_region(const Json& object) {
+  const bool are_directions = object.contains("directions");
+  for (const char* other : {are_directions ? "eyes" : "directions", "eye", "direction"}) {
+    if (object.contains(other)) throw LineError("a region of viewpoints and \"" + std::string(other) + '"');
+  }
+  const char* const name = are_directions ? "directions" : "eyes";
+  const Json& value = member(object, name);
+  if (!value.is_object()) throw wrong(name, "expected an object");
+  if (value.contains("radius")) throw wrong(name, "expected a box, by \"center\" and \"half_edges\"");
+  const kernel::Obb box = oriented_box(value);
+  return are_directions ? kernel::ViewRegion::directions(box) : kernel::ViewRegion::eyes(box);
 }
 
 Occluder occluder(const Json& value) {

@@ -28,12 +28,18 @@ struct LineError : std::runtime_error {
 /// The member "eye" or "direction".
 [[nodiscard]] kernel::Viewpoint viewpoint(const nlohmann::json& object);
 
+/// The member "eyes" or "directions": a box of eyes, or of directions of view, by "center" and "half_edges".
+[[nodiscard]] kernel::ViewRegion view_region(const nlohmann::json& object);
+
 /// The member "box": "min" and "max", or "center" and "half_edges".
 [[nodiscard]] Box box(const nlohmann::json& object);
 
 /// Most vertices of a polytope and of all its faces together. The oracle tests the plane through every two vertices against
 /// every vertex, which takes seconds at this limit. (The time for a polygon is proportional to its vertices.)
 inline constexpr std::size_t kMostCorners = 4096;
+
+/// Most vertices of an occluder seen from a region. The time of oracle and kernel may grow with the cube of their number.
+inline constexpr std::size_t kMostRegionVertices = 128;
 
 /// An occluder: "polygon", or "vertices" and "faces". An index beyond 32 bits becomes the largest 32-bit one, so it stays
 /// too large. Throws LineError for a polytope with more than kMostCorners.

@@ -7,6 +7,7 @@
 #include "cases/case.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/oracle/oracle.h"
+#include "occlude/oracle/region_shadow.h"
 
 namespace occlude::cases {
 
@@ -40,6 +41,14 @@ namespace occlude::cases {
 
 [[nodiscard]] inline oracle::Occluder to_oracle(const Occluder& occluder) {
   return std::visit([](const auto& kind) -> oracle::Occluder { return to_oracle(kind); }, occluder);
+}
+
+[[nodiscard]] inline oracle::ViewRegion to_oracle(const kernel::ViewRegion& region) {
+  return {to_oracle(region.box), region.kind == kernel::Viewpoint::Kind::direction};
+}
+
+[[nodiscard]] inline oracle::ShadowKind to_oracle(kernel::ShadowKind kind) {
+  return kind == kernel::ShadowKind::umbra ? oracle::ShadowKind::umbra : oracle::ShadowKind::penumbra;
 }
 
 [[nodiscard]] inline oracle::Near to_oracle(Near near) {

@@ -15,6 +15,7 @@
 #include "commands.h"
 #include "occlude/kernel/cover.h"
 #include "occlude/oracle/cover.h"
+#include "occlude/oracle/region_shadow.h"
 #include "occlude/render/console.h"
 #include "occlude/render/input_limits.h"
 
@@ -47,6 +48,22 @@ bool refuse(const oracle::Answer& exact, const std::optional<std::string>& expec
   return !exact.refusal.empty() && !expect;
 }
 
+/// Fills `answer` with what the kernel says of the shadow and the box. Returns whether everything agrees that should.
+template <class Shadow>
+bool ask_all(const Shadow& shadow, const cases::Box& box, const oracle::Answer& truth,
+             const std::optional<std::string>& expect, Json& answer) {
+  const kernel::Decision certified = cases::overlap(shadow, box);
+  answer["certified"] = text(certified.relation);
+  answer["stage"] = text(certified.stage);
+  answer["plain"] = text(cases::overlap_plain(shadow, box));
+  const std::string conservative = text(cases::conservative(shadow, box).relation);
+  answer["conservative"] = conservative;
+  const std::string judged = text(truth);
+  answer["oracle"] = judged;
+  const bool is_sound = conservative == judged || (conservative == "partial" && judged == "outside");
+  return answer["certified"] == judged && is_sound && (!expect || *expect == judged);
+}
+
 /// Fills `answer`. Returns whether everything agrees that should.
 bool classify(const cases::CaseLine& line, Json& answer) {
   const Case& c = line.question;
@@ -54,16 +71,20 @@ bool classify(const cases::CaseLine& line, Json& answer) {
   if (const kernel::Refusal fault = cases::check(c.box); fault != kernel::Refusal::none) return refused(fault);
   const kernel::ShadowFrustumResult made = cases::make_frustum(c);
   if (!made.frustum) return refused(made.refusal);
-  const kernel::Decision certified = cases::overlap(*made.frustum, c.box);
-  answer["certified"] = text(certified.relation);
-  answer["stage"] = text(certified.stage);
-  answer["plain"] = text(cases::overlap_plain(*made.frustum, c.box));
-  const std::string conservative = text(cases::conservative(*made.frustum, c.box).relation);
-  answer["conservative"] = conservative;
-  const std::string judged = text(judge(c, made));
-  answer["oracle"] = judged;
-  const bool is_sound = conservative == judged || (conservative == "partial" && judged == "outside");
-  return answer["certified"] == judged && is_sound && (!line.expect || *line.expect == judged);
+  return ask_all(*made.frustum, c.box, judge(c, made), line.expect, answer);
+}
+
+/// The same for the umbra or penumbra for a region of viewpoints.
+bool classify(const cases::RegionLine& line, Json& answer) {
+  const cases::RegionCase& c = line.question;
+  const oracle::Answer truth =
+      oracle::RegionShadow(to_oracle(c.region), to_oracle(c.occluder), to_oracle(c.kind)).relation(to_oracle(c.box));
+  if (const kernel::Refusal fault = cases::check(c.box); fault != kernel::Refusal::none) {
+    return refuse(truth, line.expect, fault, answer);
+  }
+  const auto [shadow, refusal] = cases::make_shadow(c);
+  if (!shadow) return refuse(truth, line.expect, refusal, answer);
+  return ask_all(*shadow, c.box, truth, line.expect, answer);
 }
 
 /// The same for a joined shadow. It has only certified arithmetic and only the exact test.
@@ -87,8 +108,9 @@ void classify_file(const std::string& file, int& exit_code) {
   cases::for_each_case(file, prints_to_terminal, [&](std::size_t, const nlohmann::json& object) {
     Json answer;
     answer["id"] = cases::case_id(object);
-    const bool agree =
-        cases::is_cover(object) ? classify(cases::read_cover(object), answer) : classify(cases::read_case(object), answer);
+    const bool agree = cases::is_cover(object)    ? classify(cases::read_cover(object), answer)
+                       : cases::is_region(object) ? classify(cases::read_region(object), answer)
+                                                  : classify(cases::read_case(object), answer);
     if (!agree) exit_code = kCheckFailed;
     render::tell(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
   });
@@ -106,9 +128,14 @@ void add_classify(Command app, int& exit_code) {
       "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}; "
       "or\n"
       "{\"cover\":[polygon, ...]}, polygons that hide together: then the box is `inside` their joined shadow or `partial`,\n"
-      "and there is neither `plain` nor `conservative`.\n" +
-      fmt::format("A polytope has at most {} vertices, those of its faces counted, a cover {}.\n", cases::kMostCorners,
-                  render::kMostCoverVertices) +
+      "and there is neither `plain` nor `conservative`.\n"
+      "For a region of viewpoints, \"eyes\" or \"directions\" is {\"center\",\"half_edges\"}, and \"shadow\" is \"umbra\", "
+      "what "
+      "all of\n"
+      "them have in shadow, or \"penumbra\", what at least one has; it begins at the \"surface\".\n" +
+      fmt::format(
+          "A polytope has at most {} vertices, those of its faces counted, a cover {}, an occluder seen from a region {}.\n",
+          cases::kMostCorners, render::kMostCoverVertices, cases::kMostRegionVertices) +
       limits_help() +
       "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},)"

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <variant>
+#include <vector>
 
+#include "corners.h"
+#include "occlude/oracle/region_shadow.h"
 #include "plane.h"
 
 namespace occlude::oracle {
@@ -80,6 +83,26 @@ struct GivenPlane {
   }
 };
 
+/// The plane through viewpoints of a region and points: one corner of the region and two points, or two corners and one
+/// point. Its normal is zero where these do not span a plane.
+struct RegionPlane {
+  ViewRegion region;
+  std::vector<unsigned> corners;  ///< indices in corners_of(region.box)
+  std::vector<Point> points;
+
+  [[nodiscard]] bool passes_through(const Point& x) const { return std::ranges::find(points, x) != points.end(); }
+
+  template <class N>
+  HalfSpace<N> operator()() const {
+    const std::vector<Vector<N>> all = corners_of<N>(region.box);
+    const Vector<N> origin = vector_of<N>(points[0]);
+    const auto along = [&](unsigned corner) -> Vector<N> { return region.at_infinity ? all[corner] : all[corner] - origin; };
+    const Vector<N> first = along(corners[0]),
+                    second = corners.size() > 1 ? along(corners[1]) : vector_of<N>(points[1]) - origin;
+    return {CGAL::cross_product(first, second), origin};
+  }
+};
+
 /// The plane a x + b y + c z + d = 0 of a half-space given by its coefficients.
 struct CoefficientPlane {
   std::array<double, 4> coefficients;
@@ -93,7 +116,7 @@ struct CoefficientPlane {
 
 /// One of these planes, and the sign of its heights on the side that counts as positive.
 struct OrientedPlane {
-  std::variant<SidePlane, LoopPlane, MeanPlane, FarthestPlane, GivenPlane, CoefficientPlane> plane;
+  std::variant<SidePlane, LoopPlane, MeanPlane, FarthestPlane, GivenPlane, CoefficientPlane, RegionPlane> plane;
   CGAL::Sign positive = CGAL::POSITIVE;
 
   template <class N>

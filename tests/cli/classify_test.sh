@@ -92,6 +92,22 @@ expect_error 'line.jsonl:1: both "cover" and "polygon"' "$occlude" classify line
 echo "${case/\"cover\":[[/\"cover\":[}}" >line.jsonl
 expect_error 'line.jsonl:1:' "$occlude" classify line.jsonl
 
+# Regions of viewpoints.
+case='{"id":"r","eyes":{"center":[0,0,0],"half_edges":[[0,1,0],[0,0,1],[0,0,0]]},"occluder":{"polygon":[[2,-2,-2],[2,2,-2],[2,2,2],[2,-2,2]]},"shadow":"umbra","box":{"min":[4,-3,-3],"max":[4,3,3]}'
+echo "$case,\"expect\":\"inside\"}" | "$occlude" classify >stdout || fail "classify an umbra: $(cat stdout)"
+[ "$(cat stdout)" = '{"id":"r","certified":"inside","stage":"exact","plain":"inside","conservative":"inside","oracle":"inside"}' ] ||
+  fail "an umbra is $(cat stdout)"
+echo "${case/\"umbra\"/\"penumbra\"},\"expect\":\"outside\"}" | "$occlude" classify >/dev/null
+[ $? -eq 1 ] || fail "a wrong expectation of a penumbra"
+echo "${case/\[0,1,0\]/\[2,0,0\]}}" | "$occlude" classify >stdout || fail "eyes in the plane: $(cat stdout)"
+grep -q '"error":"viewpoint lies in' stdout || fail "eyes in the plane: $(cat stdout)"
+echo "${case/\"eyes\"/\"eye\":[0,0,0],\"eyes\"}}" >line.jsonl
+expect_error 'line.jsonl:1: a region of viewpoints and "eye"' "$occlude" classify line.jsonl
+echo "${case/\"shadow\":\"umbra\",/}}" >line.jsonl
+expect_error 'line.jsonl:1: "shadow" is missing' "$occlude" classify line.jsonl
+echo "${case/\"shadow\"/\"near\":\"farthest\",\"shadow\"}}" >line.jsonl
+expect_error 'line.jsonl:1: "near": the shadow of a region begins at the "surface"' "$occlude" classify line.jsonl
+
 # A polygon may have very many sides. A polytope may have no more vertices than the oracle can judge in seconds.
 corners=$(awk 'BEGIN { n = 100000; for (i = 0; i < n; i++) printf "%s[2,%.17g,%.17g]", i ? "," : "", cos(6.283185307179586 * i / n), sin(6.283185307179586 * i / n) }')
 echo "{\"eye\":[0,0,0],\"occluder\":{\"polygon\":[$corners]},\"near\":\"surface\",\"box\":{\"min\":[4,0,0],\"max\":[5,1,1]},\"expect\":\"inside\"}" >line.jsonl

@@ -12,6 +12,7 @@
 #include "kernel/cube.h"
 #include "kernel/rounding.h"
 #include "occlude/kernel/overlap.h"
+#include "occlude/kernel/region_shadow.h"
 #include "occlude/kernel/shadow_frustum.h"
 
 namespace refusal_test {
@@ -196,6 +197,9 @@ Refusal example_of(Refusal reason) {
       return ConvexPolytope::make(changed).refusal;
     case Refusal::eye_in_polytope:
       return ShadowFrustum::make(Viewpoint::eye({3, 0, 0}), *ConvexPolytope::make(whole).polytope, Near::surface).refusal;
+    case Refusal::not_coplanar:
+      return RegionShadow::make({}, std::vector<Vec3>{{2, 0, 0}, {2, 1, 0}, {3, 1, 1}, {2, 0, 1}}, ShadowKind::umbra)
+          .refusal;
     case Refusal::rounding_mode: {
       const occlude::WithRounding upward(FE_UPWARD);
       return from_origin(triangle);

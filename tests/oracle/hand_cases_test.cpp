@@ -15,6 +15,7 @@
 #include "differential/answers.h"
 #include "fuzz/case_hash.h"
 #include "occlude/oracle/cover.h"
+#include "occlude/oracle/region_shadow.h"
 #include "occlude/oracle/second.h"
 
 namespace occlude::oracle {
@@ -47,11 +48,33 @@ TEST(HandCovers, TheOracleAgrees) {
   }
 }
 
+TEST(HandRegions, BothOraclesAgree) {
+  for (const HandRegion& c : hand_regions()) {
+    SCOPED_TRACE(c.id);
+    const ViewRegion region = to_oracle(c.question.region);
+    const Occluder occluder = to_oracle(c.question.occluder);
+    const ShadowKind kind = to_oracle(c.question.kind);
+    const Box box = to_oracle(c.question.box);
+    EXPECT_EQ(text(RegionShadow(region, occluder, kind).relation(box)), fuzz::text(c.relation));
+    EXPECT_EQ(text(second::relation(region, occluder, kind, box)), fuzz::text(c.relation));
+  }
+}
+
 TEST(HandCases, AskNothingTwice) {
   std::map<std::string, std::string> asked;
   for (const HandCase& c : hand_cases()) {
     const auto [other, is_new] = asked.emplace(cases::write_case("", c.question, ""), c.id);
     EXPECT_TRUE(is_new) << c.id << " asks what " << other->second << " asks";
+  }
+}
+
+TEST(HandRegions, AskNothingTwiceAndAreWrittenAsTheyAreRead) {
+  std::map<std::string, std::string> asked;
+  for (const HandRegion& c : hand_regions()) {
+    const std::string line = cases::write_case("", c.question, "");
+    const auto [other, is_new] = asked.emplace(line, c.id);
+    EXPECT_TRUE(is_new) << c.id << " asks what " << other->second << " asks";
+    EXPECT_EQ(cases::write_case("", cases::read_region(nlohmann::json::parse(line)).question, ""), line);
   }
 }
 

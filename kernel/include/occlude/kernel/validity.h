@@ -38,6 +38,7 @@ enum class Refusal {
   polytope_not_convex,
   polytope_not_closed,
   eye_in_polytope,
+  not_coplanar,
   rounding_mode,
 };
 
@@ -68,6 +69,8 @@ enum class Refusal {
       return "polytope is not closed";
     case Refusal::eye_in_polytope:
       return "viewpoint lies in the polytope";
+    case Refusal::not_coplanar:
+      return "vertices of the polygon are not in one plane";
     case Refusal::rounding_mode:
       return "processor does not round to nearest";
   }

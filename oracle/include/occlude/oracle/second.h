@@ -8,12 +8,17 @@
 
 #include "occlude/oracle/oracle.h"
 #include "occlude/oracle/region.h"
+#include "occlude/oracle/region_shadow.h"
 
 namespace occlude::oracle::second {
 
 /// Relation of `box` to the shadow frustum of the occluder. It never refuses. REQUIRES: the question is legal, which the
 /// first oracle decides: its relation() of the same arguments has no refusal.
 [[nodiscard]] Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box);
+
+/// Relation of `box` to the umbra or penumbra of the occluder for a region. It never refuses. REQUIRES: the first oracle's
+/// RegionShadow does not refuse these arguments.
+[[nodiscard]] Answer relation(const ViewRegion& region, const Occluder& occluder, ShadowKind kind, const Box& box);
 
 /// The verdict on a witness whose eyes are a box, without its reason in words. REQUIRES: the first oracle does not refuse
 /// it.
