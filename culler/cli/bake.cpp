@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -22,6 +22,7 @@
 #include "model/bounds.h"
 #include "object_list.h"
 #include "occlude/culler/culler.h"
+#include "occlude/kernel/validity.h"
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
@@ -47,6 +48,7 @@ struct BakeArguments {
   double reach = 5, piece = 2;
   std::size_t cover_size = 576;
   ReadArguments read;
+  std::vector<Option> reading;  ///< its options
   PathArguments path;
   PartsArguments parts;
   bool json = false;
@@ -65,8 +67,11 @@ CellGrid::Layer layer_of(const std::string& text, const UpAxis& up) {
   const std::size_t colon = text.find(':');
   const auto low = parse_number(text.substr(0, colon)),
              high = colon == std::string::npos ? std::nullopt : parse_number(text.substr(colon + 1));
-  if (!low || !high || !(*low <= *high)) refuse("--heights", "expected LOW:HIGH, two numbers");
-  return {*low, *high, up.axis, up.is_down};
+  const auto is_number = [](double x) { return kernel::check(kernel::flushed(x)) == kernel::Refusal::none; };
+  if (!low || !high || !is_number(*low) || !is_number(*high) || *low > *high) {
+    refuse("--heights", "expected LOW:HIGH, two numbers up to 2^100");
+  }
+  return {kernel::flushed(*low), kernel::flushed(*high), up.axis, up.is_down};
 }
 
 /// The sets are of the polygons of the model's file, or of objects.
@@ -186,14 +191,22 @@ std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint3
   return baked;
 }
 
+/// The path that a corridor is along.
+render::CameraPath path_of(const BakeArguments& arguments, const render::ModelFile& model, culler::SoupView soup) {
+  render::CameraPath path = arguments.path.through(model);
+  warn_of_misfit(path, arguments.path, arguments.model, soup);
+  return path;
+}
+
 std::vector<kernel::Aabb> cells_of(BakeArguments& arguments, const render::ModelFile& model,
                                    const culler::Hierarchy& hierarchy) {
   if (!arguments.heights.empty()) arguments.grid.layer = layer_of(arguments.heights, up_for("--heights", model));
   std::vector<kernel::Aabb> cells;
   try {
-    cells = arguments.cells == kGrid       ? arguments.grid.cells_of(hierarchy.nodes()[0].box)
-            : arguments.cells == kCorridor ? arguments.grid.cells_along(arguments.path.through(model), arguments.reach)
-                                           : read_cells(arguments.cells);
+    cells = arguments.cells == kGrid ? arguments.grid.cells_of(hierarchy.nodes()[0].box)
+            : arguments.cells == kCorridor
+                ? arguments.grid.cells_along(path_of(arguments, model, hierarchy.soup()), arguments.reach)
+                : read_cells(arguments.cells);
     for (const kernel::Aabb& cell : cells) static_cast<void>(pieces_of(cell, arguments.piece));
   } catch (const std::length_error& error) {
     refuse("--cells", error.what());
@@ -250,20 +263,20 @@ Told write(Outputs& outputs, const VisibleSets& sets, const std::optional<UpAxis
     told.seen += map.back().number;
     told.most = std::max(told.most, map.back().number);
   }
-  write_visible_sets(outputs.sets, sets);
+  told.bytes = write_visible_sets(outputs.sets, sets);
   if (outputs.map) {
     render::write_png(*outputs.map, map_of(map, *up));
     outputs.map->close();
   }
   outputs.sets.commit();
   if (outputs.map) outputs.map->commit();
-  told.bytes = std::filesystem::file_size(outputs.sets.path());
   return told;
 }
 
 void bake(BakeArguments& arguments) {
   std::optional<Outputs> outputs;
   if (render::is_first_rank()) outputs.emplace(arguments);
+  require_settled(arguments.reading, arguments.model);
   render::WalkOptions walk;
   walk.read = arguments.read.options();
   walk.cull.method = culler::Method::cover;
@@ -277,7 +290,9 @@ void bake(BakeArguments& arguments) {
   render::Job job(arguments.parts.keeping(), [&] {
     const std::span<const kernel::Aabb> boxes = cells;
     const std::span<const std::uint32_t> of_polygon = items.of_polygon;
-    return render::Digest().add(arguments.given).add(std::to_string(hash)).add(boxes).add(of_polygon).value();
+    render::Digest digest;
+    add(digest.add(arguments.given).add(std::to_string(hash)), culler.hierarchy().soup());
+    return digest.add(boxes).add(of_polygon).value();
   });
   const render::Stopwatch stopwatch;
   culler.prepare(culler::Method::cover, render::check_interrupt);
@@ -297,9 +312,9 @@ void bake(BakeArguments& arguments) {
 void add_bake(Command app, int&) {
   Command command = app.add_command("bake", "Make visible sets: what is seen from anywhere in each of many cells");
   command.footer(
-      "Whatever is not in the set of a cell is hidden from every eye in the cell, in all directions; whatever other cell "
-      "is\n"
-      "not in it, all that is there. docs/bake.md has the layout of the file, and programs that read it.\n" +
+      "A set has what may be seen from a cell. What is not in it is hidden from every eye in the cell, in all directions.\n"
+      "It also has the other cells of which something may be seen. docs/bake.md has the layout of the file, and programs\n"
+      "that read it.\n" +
       limits_help() +
       "\n"
       "Example: occlude bake city.ply --cells corridor --path city.json --cell-size 2 --heights 1:3 --out city.pvs\n"
@@ -308,7 +323,7 @@ void add_bake(Command app, int&) {
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ..., or a store").required();
   command
       .add("--cells", a->cells,
-           "grid: cubes that fill the box of the model; corridor: those along a path; or a JSON file of boxes")
+           "grid: the fewest cubes that cover the box of the model; corridor: those along a path; or a JSON file of boxes")
       .required()
       .check(check_named)
       .each([](const std::string& cells) {
@@ -317,17 +332,19 @@ void add_bake(Command app, int&) {
   add_output(command, "--out", a->out, "file to write").required();
   add_output(command, "--map", a->map,
              "PNG of the cells from above, from dark blue over red to yellow by how much each sees");
-  command.add("--cell-size", a->grid.size, "side of a cube, in units of the model").show_default().in_range(1e-6, 1e9);
-  command.add("--heights", a->heights, "LOW:HIGH: one layer of cells, from and to these heights");
+  const Option size =
+      command.add("--cell-size", a->grid.size, "side of a cube, in units of the model").show_default().in_range(1e-6, 1e9);
+  const Option heights = command.add("--heights", a->heights, "LOW:HIGH: one layer of cells, from and to these heights");
   a->path.add_to(command, "of --cells corridor");
-  command.add("--reach", a->reach, "how far cells of a corridor are from its path at most")
-      .show_default()
-      .in_range(0.0, 1e9);
+  const Option reach = command.add("--reach", a->reach, "how far to each side of its path a corridor has cells")
+                           .show_default()
+                           .in_range(0.0, 1e9);
   add_input(command, "--objects", a->objects,
-            "JSON file of objects, of which the sets are then: for each a list of polygons and ranges [first, count]");
-  a->read.add_to(command);
+            "JSON file of objects, for sets of objects and not of polygons: for each a list of polygons and ranges [first, "
+            "count]");
+  a->reading = a->read.add_to(command);
   command.under(kTuning, [&] {
-    command.add("--piece", a->piece, "side of the pieces in which cells are culled at most: smaller ones hide more")
+    command.add("--piece", a->piece, "cells are culled in pieces of at most this side: smaller ones hide more")
         .show_default()
         .in_range(1e-6, 1e9);
     command.add("--cover-size", a->cover_size, "side of the coarse pictures in pixels: larger ones hide more")
@@ -336,7 +353,14 @@ void add_bake(Command app, int&) {
   });
   command.add_flag("--json", a->json, "print the counts as JSON");
   a->parts.add_to(command, "bake");
-  command.run_on_all_ranks([a, command] {
+  command.run_on_all_ranks([=] {
+    const bool is_corridor = a->cells == kCorridor, are_cubes = is_corridor || a->cells == kGrid;
+    for (const Option& option : {size, heights, reach}) {
+      if (option.is_given() && !(option.name() == reach.name() ? is_corridor : are_cubes)) {
+        refuse(option.name(), "does nothing with --cells " + a->cells);
+      }
+    }
+    if (a->path.is_given() && !is_corridor) refuse("--path", "does nothing with --cells " + a->cells);
     a->given = command.given_but({"MODEL", "--out", "--map", "--json", "--quiet", "--parts", "--resume"});
     bake(*a);
   });

@@ -151,10 +151,7 @@ class Question {
  public:
   /// Asks at most so many parts of cells.
   Question(const culler::Culler& culler, Polygons polygons, std::size_t parts, const SearchOptions& options)
-      : culler_(culler),
-        polygons_(std::move(polygons)),
-        left_(parts),
-        cull_(cull_options(options)) {}
+      : culler_(culler), polygons_(std::move(polygons)), left_(parts), cull_(cull_options(options)) {}
 
   /// Those that are hidden from all cells.
   [[nodiscard]] Polygons hidden_from(std::span<const kernel::Aabb> cells) {

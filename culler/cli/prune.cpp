@@ -259,7 +259,9 @@ void add_prune(Command app, int&) {
     command.add("--rays", a->search.rays, "rays to each polygon from random eyes: what one reaches is not looked at further")
         .show_default()
         .in_range(std::size_t{0}, std::size_t{1000000});
-    command.add("--effort", a->search.effort, "parts of cells that are asked in all, at most, once whole cells were: more find more")
+    command
+        .add("--effort", a->search.effort,
+             "parts of cells that are asked in all, at most, once whole cells were: more find more")
         .show_default()
         .in_range(std::size_t{0}, std::size_t{1000000});
     command.add("--cover-size", a->search.cover_size, "side of the coarse pictures in pixels: larger ones hide more")

@@ -141,7 +141,7 @@ void make_mutual(std::vector<BakedCell>& cells) {
   for (std::size_t a = 0; a < cells.size(); ++a) cells[a].cells = std::move(mutual[a]);
 }
 
-void write_visible_sets(render::OutputFile& file, const VisibleSets& sets) {
+std::size_t write_visible_sets(render::OutputFile& file, const VisibleSets& sets) {
   const std::span cells = sets.cells;
   std::string body, packed_sets;
   double widest = 0;
@@ -170,6 +170,7 @@ void write_visible_sets(render::OutputFile& file, const VisibleSets& sets) {
   file.write(header + reserved);
   file.write(body);
   file.write(packed_sets);
+  return at + packed_sets.size();
 }
 
 }  // namespace occlude::cli

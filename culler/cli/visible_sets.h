@@ -41,7 +41,8 @@ struct VisibleSets {
 /// Takes from the sets of cells what is not in both: if one cell is hidden from another, so is that from it.
 void make_mutual(std::vector<BakedCell>& cells);
 
-/// The caller commits the file. REQUIRES: the cells are in order; no set has a number that there is not.
-void write_visible_sets(render::OutputFile& file, const VisibleSets& sets);
+/// Returns the number of bytes. The caller commits the file. REQUIRES: the cells are in order; no set has a number that
+/// there is not.
+std::size_t write_visible_sets(render::OutputFile& file, const VisibleSets& sets);
 
 }  // namespace occlude::cli

@@ -166,7 +166,8 @@ std::array<Camera, 6> all_around(const Camera& camera, double near) {
     Camera& of = cameras[static_cast<std::size_t>(i)];
     glm::dvec3 sight{0, 0, 0};
     sight[i / 2] = i % 2 == 0 ? 1 : -1;
-    of.target = of.eye + sight;
+    // Of eyes far away, no less than the distance of neighbouring numbers.
+    of.target = of.eye + std::max(1.0, std::fabs(of.eye[i / 2])) * sight;
     of.up = i / 2 == 2 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
     of.projection = Projection::perspective;
     of.fov_y_deg = 90 + kWiderThanSquare;

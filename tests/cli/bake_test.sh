@@ -189,6 +189,15 @@ expect_error "kept: has parts of another run" "$occlude" "${long[@]}" --piece 5 
 [ ! -e kept ] || fail "parts are left behind: $(ls kept)"
 "$occlude" "${long[@]}" --out one.pvs >one || fail "bake"
 cmp one.pvs resumed.pvs || fail "--resume: the bytes differ"
+# What a model's file names belongs to it.
+{ echo 'mtllib door.mtl'; awk 'NF == 3 && /^[-0-9.]/ { print "v", $0 } NF > 3 && /^[34] [0-9]/ { $1 = "usemtl m\nf"; for (i = 2; i <= NF; ++i) ++$i; print }' door.ply; } >door.obj
+printf 'newmtl m\nd 1\n' >door.mtl
+"$occlude" bake door.obj "${long[@]:2}" --parts kept --out killed.pvs >/dev/null 2>stderr &
+await has_parts
+{ kill -KILL $! && wait $!; } 2>/dev/null
+printf 'newmtl m\nd 0.5\n' >door.mtl
+expect_error "kept: has parts of another run" "$occlude" bake door.obj "${long[@]:2}" --parts kept --resume --out killed.pvs
+rm -r kept
 taskset -c 0 "$occlude" "${long[@]}" --out single.pvs >/dev/null || fail "one thread"
 cmp one.pvs single.pvs || fail "one thread: the bytes differ"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -285,6 +294,11 @@ expect_error 'missing.json' "$occlude" bake door.ply --cells missing.json --out 
 expect_error 'missing.ply' "$occlude" bake missing.ply --cells cells.json --out bad.pvs
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 3:1 --out bad.pvs
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 3 --out bad.pvs
+expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 1e300:1e300 --out bad.pvs
+expect_error '--heights: does nothing with --cells cells.json' "$occlude" bake door.ply --cells cells.json --heights 1:2 --out bad.pvs
+expect_error '--cell-size: does nothing' "$occlude" bake door.ply --cells cells.json --cell-size 2 --out bad.pvs
+expect_error '--reach: does nothing with --cells grid' "$occlude" bake door.ply --cells grid --reach 2 --out bad.pvs
+expect_error '--path: does nothing' "$occlude" bake door.ply --cells grid --path walk --out bad.pvs
 expect_error '--cells' "$occlude" bake door.ply --cells grid --cell-size 0.01 --out bad.pvs
 expect_error 'the cell from (6, 2, 1) to (7, 3, 2) has more than 65536 pieces, with --piece 0.001' \
   "$occlude" bake door.ply --cells cells.json --piece 0.001 --out bad.pvs
