@@ -18,11 +18,12 @@ void* checked(void* memory) {
 }
 
 /// The first difference of two numbers on a thread registers a destructor, for which the C library ends the program when it
-/// finds no memory. It takes less than a page: that there is one is found out before, where an exception can say that there
-/// is none.
+/// finds no memory. Until then about ten small pieces are taken. Where memory is short, each may take a page of its own from
+/// the system. That there is more is found out before, where an exception can say that there is not.
 void register_destructors() {
-  constexpr std::size_t kPage = 4096;
-  std::free(checked(std::malloc(kPage)));
+  constexpr std::size_t kPage = 4096, kPages = 32;
+  void* volatile enough = checked(std::malloc(kPages * kPage));  // volatile: else compilers may leave both lines out
+  std::free(enough);
   CGAL::Gmpzf one(1);
   one -= CGAL::Gmpzf(0.5);
 }
