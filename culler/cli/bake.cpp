@@ -218,9 +218,9 @@ std::vector<kernel::Aabb> cells_of(BakeArguments& arguments, const render::Model
 std::uint64_t hash_of_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::string bytes(std::size_t{1} << 20U, '\0');
-  std::uint64_t hash = kHashOfNothing;
+  std::uint64_t hash = render::kFnvOfNothing;
   while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || in.gcount() > 0) {
-    hash = hash_of(std::string_view(bytes).substr(0, static_cast<std::size_t>(in.gcount())), hash);
+    hash = render::fnv1a(std::string_view(bytes).substr(0, static_cast<std::size_t>(in.gcount())), hash);
   }
   return hash;
 }

@@ -64,20 +64,10 @@ kernel::Aabb middle_of(const kernel::Aabb& box) {
   return middle;
 }
 
-/// An interval's middle, and half of a length that holds it however that rounds.
-double reach_of(double low, double middle, double high) {
-  const double half = std::max(high - middle, middle - low);
-  return half > 0 ? std::max(std::nextafter(half, std::numeric_limits<double>::infinity()), kernel::kMinMagnitude) : 0;
-}
-
 /// A camera of all eyes in the cell whose picture has the box, as seen from any of them. None if the eyes are too near.
 std::optional<culler::Camera> camera_for(const kernel::Aabb& cell, const kernel::Aabb& box, double near) {
-  culler::Camera camera;
-  for (int i = 0; i < 3; ++i) {
-    camera.eye[i] = middle_of(cell).min[i];
-    camera.eyes.half_edges[static_cast<std::size_t>(i)][i] = reach_of(cell.min[i], camera.eye[i], cell.max[i]);
-    camera.target[i] = middle_of(box).min[i];
-  }
+  culler::Camera camera = culler::camera_of(cell);
+  camera.target = low_of(middle_of(box));
   const glm::dvec3 sight = glm::abs(camera.target - camera.eye);
   camera.up = sight.z > sight.x && sight.z > sight.y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
   camera.near_plane = std::max(near, kernel::kMinMagnitude);

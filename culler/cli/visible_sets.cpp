@@ -8,10 +8,10 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
+#include "occlude/render/digest.h"
 #include "occlude/render/interrupt.h"
 
 namespace occlude::cli {
@@ -95,11 +95,6 @@ void add(Changes& set, std::uint32_t number) {
 
 }  // namespace
 
-std::uint64_t hash_of(std::string_view bytes, std::uint64_t before) {
-  for (const char byte : bytes) before = (before ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  return before;
-}
-
 Changes changes_of(const std::vector<bool>& set) {
   Changes changes;
   for (std::size_t i = 0; i <= set.size(); ++i) {
@@ -166,7 +161,7 @@ std::size_t write_visible_sets(render::OutputFile& file, const VisibleSets& sets
   put(header, sets.items);
   put(header, std::nextafter(widest, std::numeric_limits<double>::infinity()));
   const std::string reserved(kHeaderBytes - header.size() - sizeof(std::uint64_t), '\0');
-  put(header, hash_of(packed_sets, hash_of(body, hash_of(reserved, hash_of(header)))));
+  put(header, render::fnv1a(packed_sets, render::fnv1a(body, render::fnv1a(reserved, render::fnv1a(header)))));
   file.write(header + reserved);
   file.write(body);
   file.write(packed_sets);

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "occlude/kernel/types.h"
@@ -27,10 +26,6 @@ struct BakedCell {
 
 /// The order of cells in the file.
 [[nodiscard]] bool is_before(const kernel::Aabb& a, const kernel::Aabb& b);
-
-/// FNV-1a of 64 bits, of bytes that may follow others.
-constexpr std::uint64_t kHashOfNothing = 0xcbf29ce484222325U;
-[[nodiscard]] std::uint64_t hash_of(std::string_view bytes, std::uint64_t before = kHashOfNothing);
 
 struct VisibleSets {
   std::uint64_t model = 0;  ///< hash of its file

@@ -9,6 +9,10 @@
 
 namespace occlude::culler {
 
+/// A camera in the middle of a box, with a region of eyes that holds all of the box, however its numbers round.
+/// REQUIRES: kernel::check() refuses nothing of the box.
+[[nodiscard]] Camera camera_of(const kernel::Aabb& eyes);
+
 /// Culls six frames for all eyes of a box and calls take() after each, whose result is view.result().
 /// 1. From nowhere in the box does a segment reach anything, in any direction, that all six frames cull: it meets an opaque
 ///    polygon strictly between. Nothing is before a near plane.

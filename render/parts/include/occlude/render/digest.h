@@ -9,12 +9,19 @@
 
 namespace occlude::render {
 
-/// FNV-1a of 64 bits (Fowler, Noll, Vo). It finds accidents, not forgeries.
+/// FNV-1a of 64 bits (Fowler, Noll, Vo), of bytes that may follow others. It finds accidents, not forgeries.
+inline constexpr std::uint64_t kFnvOfNothing = 0xcbf29ce484222325U;
+[[nodiscard]] constexpr std::uint64_t fnv1a(std::string_view bytes, std::uint64_t before = kFnvOfNothing) {
+  for (const char byte : bytes) before = (before ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  return before;
+}
+
+/// The same of several inputs, each kept apart from the next.
 class Digest {
  public:
   Digest& add(std::string_view bytes) {
-    for (const char byte : bytes) add_byte(byte);
-    add_byte('\0');  // so that "a", "b" is not "ab"
+    using namespace std::string_view_literals;
+    value_ = fnv1a("\0"sv, fnv1a(bytes, value_));  // so that "a", "b" is not "ab"
     return *this;
   }
   template <class T>
@@ -25,9 +32,7 @@ class Digest {
   [[nodiscard]] std::uint64_t value() const { return value_; }
 
  private:
-  void add_byte(char byte) { value_ = (value_ ^ static_cast<unsigned char>(byte)) * 0x100000001b3U; }
-
-  std::uint64_t value_ = 0xcbf29ce484222325U;
+  std::uint64_t value_ = kFnvOfNothing;
 };
 
 }  // namespace occlude::render
