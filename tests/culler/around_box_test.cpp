@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <random>
 
 #include "scenes.h"
@@ -22,9 +23,9 @@ TEST(CameraOfABox, HoldsTheBoxHoweverItsNumbersRound) {
   for (int trial = 0; trial < 10000; ++trial) {
     Aabb box;
     for (int i = 0; i < 3; ++i) {
-      const double low = uniform(random, -100, 100);
-      box.min[i] = low;
-      box.max[i] = random() % 4 == 0 ? low : low + uniform(random, 0, 3);
+      // Ends of different magnitudes, whose differences are rounded.
+      box.min[i] = -std::ldexp(uniform(random, 1, 2), -static_cast<int>(random() % 30));
+      box.max[i] = random() % 4 == 0 ? box.min[i] : uniform(random, 0, 3);
     }
     const Camera camera = camera_of(box);
     for (int i = 0; i < 3; ++i) {
