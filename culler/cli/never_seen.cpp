@@ -19,7 +19,7 @@
 #include "model/bounds.h"
 #include "occlude/kernel/validity.h"
 #include "occlude/render/interrupt.h"
-#include "segments.h"
+#include "occlude/render/tree_rays.h"
 
 namespace occlude::cli {
 namespace {
@@ -116,22 +116,29 @@ std::vector<bool> shown_from(const culler::Culler& culler, const std::vector<ker
   return shown;
 }
 
-/// Whether a ray from a random eye seems to reach polygon p.
-bool is_reached(std::uint32_t p, const culler::SoupView& soup, const Segments& segments, std::span<const kernel::Aabb> cells,
-                std::size_t rays) {
+/// Whether a segment from a random eye seems to reach polygon p. Only what is worth asking depends on it.
+bool is_reached(std::uint32_t p, const culler::SoupView& soup, const render::TreeRays& rays,
+                std::span<const kernel::Aabb> cells, std::size_t count) {
+  // Of a segment, what is nearer to its ends than this share is not asked: what touches the point does not hide it.
+  constexpr double kEnd = 0x1p-30;
   std::mt19937_64 random(p);
   const auto share = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
   const auto loop = soup.loop(p);
   const auto& v = soup.vertices;
   std::uint32_t hider = p;
-  for (std::size_t i = 0; i < rays; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const kernel::Aabb& cell = cells[random() % cells.size()];
     const glm::dvec3 eye = low_of(cell) + glm::dvec3(share(), share(), share()) * (high_of(cell) - low_of(cell));
     const std::size_t triangle = 1 + random() % (loop.size() - 2);
     double a = share(), b = share();
     if (a + b > 1) a = 1 - a, b = 1 - b;
     const glm::dvec3 point = v[loop[0]] + a * (v[loop[triangle]] - v[loop[0]]) + b * (v[loop[triangle + 1]] - v[loop[0]]);
-    if (!segments.is_blocked(eye, point, p, hider)) return true;
+    const auto hides = [&](std::uint32_t other) {
+      return other != p && rays.meeting(eye, point - eye, kEnd, other) < 1 - kEnd;
+    };
+    if (hides(hider)) continue;
+    const auto is_hider = [&](std::uint32_t other) { return hides(other) && (hider = other, true); };
+    if (!rays.any_of(eye, point - eye, 1, is_hider)) return true;
   }
   return false;
 }
@@ -220,14 +227,15 @@ std::vector<bool> never_seen(const culler::Culler& culler, const std::vector<ker
                              const std::vector<bool>& candidates, const SearchOptions& options,
                              const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const culler::SoupView& soup = culler.hierarchy().soup();
-  const Segments segments(culler.hierarchy());
+  const render::TreeRays rays(culler.hierarchy());
   const std::vector<bool> is_shown = shown_from(culler, cells, options);
   std::vector<std::uint8_t> is_asked(candidates.size());
   constexpr std::size_t kBlock = 1024;
   const auto choose = [&](std::size_t block) {
     for (std::size_t p = block * kBlock; p < std::min(is_asked.size(), (block + 1) * kBlock); ++p) {
-      if (!candidates[p] || !is_shown[p] || is_reached(static_cast<std::uint32_t>(p), soup, segments, cells, options.rays))
+      if (!candidates[p] || !is_shown[p] || is_reached(static_cast<std::uint32_t>(p), soup, rays, cells, options.rays)) {
         continue;
+      }
       is_asked[p] = 1;
     }
   };

@@ -67,7 +67,7 @@ class Suspects {
     std::vector<Found> found(open_.size());
     const auto cast_into = [&](std::size_t i) {
       std::uint32_t hider = open_[i];
-      for_each_triangle(hierarchy_.soup(), open_[i], [&](const oracle::Triangle& triangle) {
+      proof::for_each_triangle(hierarchy_.soup(), open_[i], [&](const oracle::Triangle& triangle) {
         const std::vector<dvec3> part = rays_.in_picture(triangle);
         if (part.size() < 3) return;
         found[i].is_in_picture = true;

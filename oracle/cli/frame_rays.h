@@ -11,6 +11,8 @@
 #include "camera_picture.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/oracle/ray.h"
+#include "occlude/render/tree_rays.h"
+#include "triangles.h"
 
 namespace occlude::cli {
 
@@ -41,31 +43,14 @@ class FrameRays {
     double first;  ///< the share of it that is before the near plane
   };
   [[nodiscard]] Segment segment_to(const glm::dvec3& point) const;
-  [[nodiscard]] static Segment reaching(const Segment& segment, const oracle::Triangle& triangle);
-  /// Calls visit(polygon) for all opaque ones whose leaf the segment meets, or passes by less than rounding, until it
-  /// returns true. Returns whether it did.
-  template <class Visit>
-  bool any_of(const Segment& segment, const Visit& visit) const;
-  /// The share of the line at which it meets the polygon, not below `first`; NaN if it does not.
-  [[nodiscard]] double meeting(const glm::dvec3& from, const glm::dvec3& along, double first, std::uint32_t polygon) const;
+  [[nodiscard]] static double end_at(const Segment& segment, const oracle::Triangle& triangle);
 
   const culler::Hierarchy& hierarchy_;
+  render::TreeRays rays_;
   const std::vector<bool>& culled_;
   oracle::Viewpoint view_;
   std::vector<oracle::HalfSpaceCoefficients> picture_;  ///< a little smaller than the camera's
   oracle::HalfSpaceCoefficients near_;                  ///< begins a little before the camera's
-  double rounding_;                                     ///< more than coordinates of points on rays are off by
 };
-
-/// Calls f(triangle) for each triangle of the fan of a polygon.
-template <class F>
-void for_each_triangle(const culler::SoupView& soup, std::uint32_t polygon, const F& f) {
-  const auto loop = soup.loop(polygon);
-  const auto corner = [&](std::size_t i) {
-    const glm::dvec3& v = soup.vertices[loop[i]];
-    return oracle::Point{v.x, v.y, v.z};
-  };
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) f(oracle::Triangle{corner(0), corner(i), corner(i + 1)});
-}
 
 }  // namespace occlude::cli

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <glm/geometric.hpp>
 
 #include "camera_picture.h"
+#include "triangles.h"
 
 namespace occlude::proof {
 namespace {
-
-oracle::Point point(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// The picture is smaller by this share of the depth of the model. This is far too little to be seen.
 constexpr double kSmaller = 0x1p-40;
@@ -23,11 +23,8 @@ std::vector<bool> visible_triangles(culler::SoupView soup, const culler::Camera&
   double depth = 0;
   for (const glm::dvec3& v : soup.vertices) depth = std::max(depth, glm::distance(v, camera.eye));
   for (std::size_t p = 0; p < soup.size(); ++p) {
-    const auto loop = soup.loop(p);
     see_through.resize(see_through.size() + soup.triangles(p), !soup.is_opaque(p));
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      triangles.push_back({point(soup.vertices[loop[0]]), point(soup.vertices[loop[i]]), point(soup.vertices[loop[i + 1]])});
-    }
+    for_each_triangle(soup, static_cast<std::uint32_t>(p), [&](const oracle::Triangle& t) { triangles.push_back(t); });
   }
   return oracle::visible_triangles(viewpoint_of(camera), triangles, picture_of(camera, -kSmaller * depth), see_through);
 }

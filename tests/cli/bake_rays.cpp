@@ -21,119 +21,39 @@
 #include <vector>
 
 #include "../../culler/example/visible_sets.h"
+#include "exact_rays.h"
 #include "occlude/culler/hierarchy.h"
-#include "occlude/oracle/ray.h"
 #include "occlude/render/model_io.h"
 
 namespace {
 
 using glm::dvec3;
 using occlude::culler::Hierarchy;
-using occlude::oracle::Ray;
 using occlude::oracle::Triangle;
+using occlude::render::TreeRays;
 
 constexpr std::uint32_t kNone = visible_sets::kNone;
-/// More than coordinates of points of rays are off by, as a share of the model.
-constexpr double kRounding = 0x1p-40;
 
-class Tracer {
- public:
-  explicit Tracer(const Hierarchy& tree) : tree_(tree), room_(kRounding * extent(tree.nodes()[0].box)) {}
-
-  [[nodiscard]] Triangle triangle(std::uint32_t p, std::size_t i) const {
-    const auto loop = tree_.soup().loop(p);
-    const auto corner = [&](std::size_t k) {
-      const dvec3& v = tree_.soup().vertices[loop[k]];
-      return occlude::oracle::Point{v.x, v.y, v.z};
-    };
-    return {corner(0), corner(i), corner(i + 1)};
-  }
-  [[nodiscard]] std::size_t triangles(std::uint32_t p) const { return tree_.soup().loop(p).size() - 2; }
-
-  struct Meeting {
-    std::uint32_t polygon = kNone;
-    double share = std::numeric_limits<double>::infinity();  ///< of the ray
-  };
-  /// The opaque polygon that a ray seems to meet first, if any.
-  [[nodiscard]] Meeting first(const dvec3& eye, const dvec3& along) const {
-    Meeting nearest;
-    visit(eye, along, nearest.share, [&](std::uint32_t p) {
-      for (std::size_t i = 1; i <= triangles(p); ++i) {
-        const double share = meeting(eye, along, p, i);
-        if (share > 0 && share < nearest.share) nearest = {p, share};
-      }
-    });
-    return nearest;
-  }
-
-  /// Whether the ray through a point meets no opaque polygon before the triangle: exactly. It does not if it misses that.
-  [[nodiscard]] bool is_clear(const dvec3& eye, const dvec3& point, const Triangle& aim) const {
-    const Ray ray({{eye.x, eye.y, eye.z}, false}, {point.x, point.y, point.z});
-    if (!ray.enters(aim, {})) return false;
-    bool is_clear = true;
-    double end = 1.01;
-    visit(eye, point - eye, end, [&](std::uint32_t other) {
-      for (std::size_t k = 1; is_clear && k <= triangles(other); ++k) {
-        is_clear = ray.order(aim, triangle(other, k), {0, 0, 0, 1}) != Ray::Order::nearer;
-      }
-      if (!is_clear) end = 0;
-    });
-    return is_clear;
-  }
-
- private:
-  static double extent(const occlude::kernel::Aabb& box) {
-    double most = 0;
-    for (int i = 0; i < 3; ++i) most = std::max({most, std::fabs(box.min[i]), std::fabs(box.max[i])});
-    return most;
-  }
-  [[nodiscard]] double meeting(const dvec3& eye, const dvec3& along, std::uint32_t p, std::size_t i) const {
-    const auto loop = tree_.soup().loop(p);
-    const auto& v = tree_.soup().vertices;
-    const dvec3 a = v[loop[0]], e = v[loop[i]] - a, f = v[loop[i + 1]] - a, across = glm::cross(along, f), to = eye - a,
-                turned = glm::cross(to, e);
-    const double determinant = glm::dot(e, across), u = glm::dot(to, across) / determinant,
-                 w = glm::dot(along, turned) / determinant;
-    return u >= 0 && w >= 0 && u + w <= 1 ? glm::dot(f, turned) / determinant : -1;
-  }
-  /// Calls f(p) for opaque polygons whose leaf a ray meets before `end`, which f may make nearer.
-  template <class F>
-  void visit(const dvec3& eye, const dvec3& along, const double& end, const F& f) const {
-    std::vector<std::uint32_t> waiting{0};
-    while (!waiting.empty()) {
-      const std::uint32_t n = waiting.back();
-      const auto& node = tree_.nodes()[n];
-      waiting.pop_back();
-      if (entry(node, eye, along) > end) continue;
-      if (node.is_leaf()) {
-        for (std::uint32_t p = node.first; p < node.first + node.count; ++p) {
-          if (tree_.soup().is_opaque(p)) f(p);
-        }
-      } else {
-        const bool is_left_first = entry(tree_.nodes()[n + 1], eye, along) <= entry(tree_.nodes()[node.right], eye, along);
-        waiting.push_back(is_left_first ? node.right : n + 1);
-        waiting.push_back(is_left_first ? n + 1 : node.right);
-      }
-    }
-  }
-  /// The share of the ray at which it may enter the node's box; infinite if it does not.
-  [[nodiscard]] double entry(const Hierarchy::Node& node, const dvec3& eye, const dvec3& along) const {
-    double first = 0, last = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-      const double low = node.box.min[i] - room_ - eye[i], high = node.box.max[i] + room_ - eye[i];
-      if (along[i] == 0) {
-        if (low > 0 || high < 0) return std::numeric_limits<double>::infinity();
-        continue;
-      }
-      first = std::max(first, std::min(low / along[i], high / along[i]));
-      last = std::min(last, std::max(low / along[i], high / along[i]));
-    }
-    return first <= last ? first : std::numeric_limits<double>::infinity();
-  }
-
-  const Hierarchy& tree_;
-  double room_;
+struct Meeting {
+  std::uint32_t polygon = kNone;
+  double share = std::numeric_limits<double>::infinity();  ///< of the ray
 };
+
+/// The opaque polygon that a ray seems to meet first, if any.
+Meeting first_met(const TreeRays& rays, const dvec3& eye, const dvec3& along) {
+  Meeting nearest;
+  rays.visit(eye, along, nearest.share, [&](std::uint32_t p) {
+    const double share = rays.meeting(eye, along, std::numeric_limits<double>::min(), p);
+    if (share < nearest.share) nearest = {p, share};
+  });
+  return nearest;
+}
+
+std::vector<Triangle> triangles_of(const Hierarchy& tree, std::uint32_t p) {
+  std::vector<Triangle> triangles;
+  occlude::proof::for_each_triangle(tree.soup(), p, [&](const Triangle& triangle) { triangles.push_back(triangle); });
+  return triangles;
+}
 
 /// A triangle across the segment that meets it at its end alone.
 Triangle target_at(const dvec3& end, const dvec3& along) {
@@ -156,10 +76,10 @@ int main(int argc, char** argv) try {
   std::ifstream file(argv[2], std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   const visible_sets::Reader sets(bytes.data(), bytes.size());
-  const auto rays = std::strtoull(argv[3], nullptr, 10);
+  const auto count = std::strtoull(argv[3], nullptr, 10);
   const auto most = std::strtoull(argv[4], nullptr, 10);
   const auto seed = argc > 5 ? std::strtoull(argv[5], nullptr, 10) : std::random_device{}();
-  const Tracer tracer(tree);
+  const TreeRays rays(tree);
   std::mt19937_64 random(seed);
   const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   std::map<std::string, int> told;
@@ -182,7 +102,7 @@ int main(int argc, char** argv) try {
     }
     const auto claim = [&](const dvec3& eye, const dvec3& point, const Triangle& aim, const char* what,
                            std::uint32_t number) {
-      if (!tracer.is_clear(eye, point, aim)) return;
+      if (!is_clear(tree, rays, eye, point, aim)) return;
       if (++wrong; ++told[what] > 20) return;
       std::cout << "cell " << cell << " sees " << what << ' ' << number << " from " << eye.x << ' ' << eye.y << ' ' << eye.z
                 << " at " << point.x << ' ' << point.y << ' ' << point.z << '\n';
@@ -195,18 +115,19 @@ int main(int argc, char** argv) try {
       }
       return point;
     };
-    for (std::size_t ray = 0; ray < rays; ++ray) {
+    for (std::size_t ray = 0; ray < count; ++ray) {
       const dvec3 eye = point_in(box, ray % 4 == 0);
       if (!hidden_cells.empty()) {
         const visible_sets::Number other = hidden_cells[random() % hidden_cells.size()];
         const dvec3 point = point_in(sets.box(other), ray % 8 < 2);
-        if (point != eye && !(tracer.first(eye, point - eye).share < 1)) {
+        if (point != eye && !(first_met(rays, eye, point - eye).share < 1)) {
           claim(eye, point, target_at(point, point - eye), "cell", other);
         }
       }
       if (ray % 2 == 0 && !hidden.empty()) {
         const std::uint32_t p = hidden[random() % hidden.size()];
-        const Triangle t = tracer.triangle(p, 1 + random() % tracer.triangles(p));
+        const std::vector<Triangle> triangles = triangles_of(tree, p);
+        const Triangle& t = triangles[random() % triangles.size()];
         double u = share(), v = share();
         if (u + v > 1) u = 1 - u, v = 1 - v;
         dvec3 point;
@@ -215,20 +136,18 @@ int main(int argc, char** argv) try {
         }
         ++aimed;
         // In most cases what hides it is itself seen. What is behind it does not hide it.
-        const Tracer::Meeting first = tracer.first(eye, point - eye);
+        const Meeting first = first_met(rays, eye, point - eye);
         if (first.share < 1 && seen[tree.face(first.polygon)]) continue;
         claim(eye, point, t, "polygon", tree.face(p));
       } else {
         dvec3 along;
         do along = {share() - 0.5, share() - 0.5, share() - 0.5};
         while (glm::length(along) > 0.5);
-        const std::uint32_t p = tracer.first(eye, along).polygon;
+        const std::uint32_t p = first_met(rays, eye, along).polygon;
         if (p == kNone) continue;
         met[tree.face(p)] = true;
         if (seen[tree.face(p)]) continue;
-        for (std::size_t k = 1; k <= tracer.triangles(p); ++k) {
-          claim(eye, eye + along, tracer.triangle(p, k), "polygon", tree.face(p));
-        }
+        for (const Triangle& triangle : triangles_of(tree, p)) claim(eye, eye + along, triangle, "polygon", tree.face(p));
       }
     }
     for (const bool is_met : met) found += is_met;
@@ -236,7 +155,7 @@ int main(int argc, char** argv) try {
   const auto mean = [&](std::size_t sum) {
     return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(asked, 1));
   };
-  std::cout << "seed " << seed << ": " << asked << " cells, " << asked * rays << " rays, " << aimed << " of them aimed; "
+  std::cout << "seed " << seed << ": " << asked << " cells, " << asked * count << " rays, " << aimed << " of them aimed; "
             << wrong << " reach what is in no set; of " << mean(in_sets) << " in a set random rays find " << mean(found)
             << '\n';
   return wrong == 0 ? 0 : 1;

@@ -15,7 +15,8 @@
 #include <random>
 #include <vector>
 
-#include "occlude/oracle/ray.h"
+#include "exact_rays.h"
+#include "occlude/culler/hierarchy.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/scene_renderer.h"
@@ -23,6 +24,7 @@
 namespace {
 
 using glm::dvec3;
+using occlude::culler::Hierarchy;
 using occlude::culler::PolygonRange;
 using occlude::culler::PolygonSoup;
 
@@ -49,47 +51,7 @@ std::vector<PolygonRange> ranges_of(const std::vector<bool>& set) {
   return ranges;
 }
 
-/// Whether nothing opaque is between the eye and a point of polygon p, exactly.
-class Judge {
- public:
-  explicit Judge(const PolygonSoup& soup) : soup_(soup) {
-    for (std::size_t p = 0; p < soup.size(); ++p) boxes_.push_back(soup.box(p));
-  }
-
-  [[nodiscard]] bool is_clear(const dvec3& eye, const dvec3& point, std::size_t p, std::size_t triangle) const {
-    const occlude::oracle::Ray ray({{eye.x, eye.y, eye.z}, false}, {point.x, point.y, point.z});
-    const occlude::oracle::Triangle aim = of(p, triangle);
-    if (!ray.enters(aim, {})) return false;
-    for (std::size_t other = 0; other < soup_.size(); ++other) {
-      if (!soup_.is_opaque(other) || is_beside(eye, point, boxes_[other])) continue;
-      for (std::size_t i = 1; i <= soup_.triangles(other); ++i) {
-        if (ray.order(aim, of(other, i), {0, 0, 0, 1}) == occlude::oracle::Ray::Order::nearer) return false;
-      }
-    }
-    return true;
-  }
-
- private:
-  [[nodiscard]] occlude::oracle::Triangle of(std::size_t p, std::size_t i) const {
-    const auto loop = soup_.loop(p);
-    const auto corner = [&](std::size_t k) {
-      const dvec3& v = soup_.vertices[loop[k]];
-      return occlude::oracle::Point{v.x, v.y, v.z};
-    };
-    return {corner(0), corner(i), corner(i + 1)};
-  }
-  /// Whether the box of the segment, and more than the point is off by, does not meet the box.
-  static bool is_beside(const dvec3& a, const dvec3& b, const occlude::kernel::Aabb& box) {
-    const double room = 0x1p-30 * glm::length(b - a);
-    for (int i = 0; i < 3; ++i) {
-      if (std::max(a[i], b[i]) + room < box.min[i] || std::min(a[i], b[i]) - room > box.max[i]) return true;
-    }
-    return false;
-  }
-
-  const PolygonSoup& soup_;
-  std::vector<occlude::kernel::Aabb> boxes_;
-};
+occlude::oracle::Point point_of(const dvec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
@@ -154,7 +116,8 @@ int main(int argc, char** argv) try {
   for (std::size_t p = 0; p < is_kept.size(); ++p) {
     if (!is_kept[p]) gone_ones.push_back(p);
   }
-  const Judge judge(model);
+  const auto tree = Hierarchy::build(model, {.leaf_size = 2});
+  const occlude::render::TreeRays tree_rays(tree);
   std::size_t clear = 0;
   for (std::size_t i = 0; i < rays && !gone_ones.empty(); ++i) {
     const std::size_t p = gone_ones[random() % gone_ones.size()], k = 1 + random() % model.triangles(p);
@@ -162,7 +125,8 @@ int main(int argc, char** argv) try {
     double u = share(), v = share();
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const dvec3 a = model.vertices[loop[0]], b = model.vertices[loop[k]], c = model.vertices[loop[k + 1]];
-    if (judge.is_clear(eye_outside(), a + u * (b - a) + v * (c - a), p, k) && clear++ == 0) {
+    const occlude::oracle::Triangle aim{point_of(a), point_of(b), point_of(c)};
+    if (is_clear(tree, tree_rays, eye_outside(), a + u * (b - a) + v * (c - a), aim) && clear++ == 0) {
       std::cout << "a ray reaches polygon " << p << ", which is gone\n";
     }
   }
