@@ -32,14 +32,14 @@ bool has_line_of_sight(const Camera& camera) {
 std::string fault(const Camera& camera) {
   if (!is_legal(camera.eye) || !is_legal(camera.target) || !is_legal(camera.up))
     return "a number is not finite or out of range";
-  if (!has_line_of_sight(camera)) return "eye and target meet, or up lies along the line of sight";
-  // With a smaller angle, rounding would exceed the margin of the planes. With a larger one, the tangent of its half grows
-  // without bound.
-  if (!(camera.fov_y_deg >= 0.001 && camera.fov_y_deg <= 179)) return "the opening must be from 0.001 to 179 degrees";
   if (!is_legal_length(camera.near_plane)) return "the near plane must be before the eye and in range";
   if (!(camera.far_plane > camera.near_plane) || (std::isfinite(camera.far_plane) && !is_legal_length(camera.far_plane)))
     return "the far plane must be beyond the near plane";
   if (!is_legal_length(camera.height)) return "the picture must have a height";
+  if (!has_line_of_sight(camera)) return "eye and target meet, or up lies along the line of sight";
+  // With a smaller angle, rounding would exceed the margin of the planes. With a larger one, the tangent of its half grows
+  // without bound.
+  if (!(camera.fov_y_deg >= 0.001 && camera.fov_y_deg <= 179)) return "the opening must be from 0.001 to 179 degrees";
   if (!(camera.aspect >= 1 / kLargestAspect && camera.aspect <= kLargestAspect))
     return "the picture must not be more than 65536 times as wide as high, or as high as wide";
   if (const std::string_view of_eyes = fault(camera.eyes); !of_eyes.empty()) return std::string(of_eyes);

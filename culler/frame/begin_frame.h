@@ -16,7 +16,8 @@ void begin_frame(const Hierarchy& hierarchy, const AnyCamera& camera, const Cull
   Frame& frame = memory.frame;
   memory.frusta.keep_spare(frame.result);
   frame.begin(hierarchy.nodes().size());
-  frame.view = FrameView(camera, depth(hierarchy.nodes()[0].box, eye_of(camera)));
+  const double reach = depth(hierarchy.nodes()[0].box, eye_of(camera));
+  frame.view = FrameView(camera, reach);
   frame.view.append_half_spaces(frame.result.view);
   frame.margin = ShadowMargin(frame.view, options.margin);
   memory.idle.begin(options.cover);

@@ -93,15 +93,15 @@ template <class AnyCamera>
 const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const {
   require_sound(camera);
   View::Memory& memory = memory_for(view, occluders_);
-  if (is_by_cover(options.method)) {
-    const CoverTriangles& triangles = this->triangles();
-    const BlockTree tree = this->tree();
-    next_by_cover(hierarchy_, tree, triangles, camera, options, memory);
+  // In the order of prepare().
+  const bool is_cover = is_by_cover(options.method);
+  const CoverTriangles* const triangles = is_cover ? &this->triangles() : nullptr;
+  const OccluderSet* const occluders = !is_cover && options.occluders > 0 ? &this->occluders() : nullptr;
+  const BlockTree tree = this->tree();
+  begin_frame(hierarchy_, camera, options, memory);
+  if (is_cover) {
+    next_by_cover(hierarchy_, tree, *triangles, options, memory);
   } else {
-    // In the order of prepare().
-    const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;
-    const BlockTree tree = this->tree();
-    begin_frame(hierarchy_, camera, options, memory);
     cull_by_frusta(hierarchy_, tree, occluders, options, memory.frame, memory.frusta);
   }
   return memory.frame.result;

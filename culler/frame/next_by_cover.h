@@ -3,15 +3,13 @@
 #pragma once
 
 #include "cover/cull_by_cover.h"
-#include "frame/begin_frame.h"
+#include "frame/view_memory.h"
 
 namespace occlude::culler {
 
-/// REQUIRES: require_sound(camera); the memory is that of a view whose frames are all of this model.
-template <class AnyCamera>
-void next_by_cover(const Hierarchy& hierarchy, const BlockTree& tree, const CoverTriangles& triangles,
-                   const AnyCamera& camera, const CullOptions& options, View::Memory& memory) {
-  begin_frame(hierarchy, camera, options, memory);
+/// REQUIRES: begin_frame(); the memory is that of a view whose frames are all of this model.
+inline void next_by_cover(const Hierarchy& hierarchy, const BlockTree& tree, const CoverTriangles& triangles,
+                          const CullOptions& options, View::Memory& memory) {
   CullOptions limited = options;
   const bool is_adaptive =
       options.method == Method::automatic && !options.cover.as_before && memory.frame.view.eyes.is_point();

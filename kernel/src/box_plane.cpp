@@ -16,19 +16,6 @@ bool has_certain_signs(const FilterPlane& plane, const RefinedPlane& tail) {
   return is_certain(plane.normal.x) && is_certain(plane.normal.y) && is_certain(plane.normal.z);
 }
 
-/// The sign at a point of a plane that is exactly perpendicular to a coordinate axis, where the signs of its normal are
-/// certain. Boxes that touch such planes are the most common degeneracy of what is built along the axes.
-std::optional<int> sign_across_axis(const ExactPlane& plane, const Vec3& normal, const Vec3& x) {
-  if (plane.direct) return std::nullopt;
-  for (int k = 0; k < 3; ++k) {
-    if (plane.a_to[k] != plane.a_from[k] || plane.b_to[k] != plane.b_from[k]) continue;
-    const int side = (x[k] > plane.origin[k]) - (x[k] < plane.origin[k]);
-    if (normal[k] == 0) return std::nullopt;  // it underflowed
-    return normal[k] > 0 ? side : -side;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Aabb& box, double reach, int direction) {

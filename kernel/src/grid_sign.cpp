@@ -106,7 +106,7 @@ class GridPlane {
   [[nodiscard]] int normal_sign(std::size_t axis) const { return sign(normal_[axis]); }
 
   /// REQUIRES: the grid holds x.
-  [[nodiscard]] int sign_at(const Vec3& x) const {
+  [[nodiscard]] int side_of(const Vec3& x) const {
     const Difference d = difference(x, origin_);
     // Each coefficient is of at most 3 * size products. Only those of the last digit of a normal exceed 2^120: they are
     // within ±2^122 and a bit.
@@ -169,7 +169,7 @@ std::optional<int> grid_sign(const ExactPlane& plane, const Vec3& x) {
   Grid grid;
   grid.hold(plane);
   grid.hold(x);
-  return on_grid(grid, plane, [&](const auto& on) { return on.sign_at(x); });
+  return on_grid(grid, plane, [&](const auto& on) { return on.side_of(x); });
 }
 
 std::optional<int> grid_extremal_sign(const ExactPlane& plane, const Aabb& box, int direction) {
@@ -179,7 +179,7 @@ std::optional<int> grid_extremal_sign(const ExactPlane& plane, const Aabb& box, 
   grid.hold(box.max);
   return on_grid(grid, plane, [&](const auto& on) {
     const auto positive = [&](std::size_t axis) { return direction * on.normal_sign(axis) >= 0; };
-    return on.sign_at(extremal_vertex(box, positive(0), positive(1), positive(2)));
+    return on.side_of(extremal_vertex(box, positive(0), positive(1), positive(2)));
   });
 }
 

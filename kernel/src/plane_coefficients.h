@@ -30,6 +30,19 @@ template <class A>
   return (x == plane.a_to && plane.a_from == plane.origin) || (x == plane.b_to && plane.b_from == plane.origin);
 }
 
+/// The sign at x of a plane that is exactly perpendicular to a coordinate axis. The signs of `normal` are those of its own.
+/// Boxes that touch such planes are the most common degeneracy of what is built along the axes.
+[[nodiscard]] inline std::optional<int> sign_across_axis(const ExactPlane& plane, const Vec3& normal, const Vec3& x) {
+  if (plane.direct) return std::nullopt;
+  for (int k = 0; k < 3; ++k) {
+    if (plane.a_to[k] != plane.a_from[k] || plane.b_to[k] != plane.b_from[k]) continue;
+    const int side = (x[k] > plane.origin[k]) - (x[k] < plane.origin[k]);
+    if (normal[k] == 0) return std::nullopt;  // it underflowed
+    return normal[k] > 0 ? side : -side;
+  }
+  return std::nullopt;
+}
+
 /// Exact sign of the plane at x: 1 on the inner side, 0 on the plane, -1 on the outer side.
 [[nodiscard]] inline int sign_at(const ExactPlane& plane, const Vec3& x, Stage* stage = nullptr) {
   if (is_defined_by(plane, x)) return 0;

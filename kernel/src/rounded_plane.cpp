@@ -41,13 +41,4 @@ RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane) {
   return result;
 }
 
-CertainSign refined_sign(const FilterPlane& plane, const RefinedPlane& tail, const Vec3& vertex, const Vec3& origin,
-                         double reach) {
-  const auto real = [](const Vec3& v) { return constants<PlainArithmetic>(v); };
-  const auto [value, error, is_exact] = refined_value(real(plane.normal), plane.offset, real(tail.normal), tail.offset,
-                                                      tail.uncertainty, reach, real(vertex), real(origin));
-  if (std::fabs(value) > error || is_exact) return {PlainArithmetic::sign(value), true};
-  return {};
-}
-
 }  // namespace occlude::kernel

@@ -2,6 +2,8 @@
 // A plane's coefficients rounded to doubles, and to twice their precision, with bounds on the rounding errors of its values.
 #pragma once
 
+#include <cmath>
+
 #include "plane_coefficients.h"
 #include "planes.h"
 
@@ -66,7 +68,13 @@ struct CertainSign {
   int sign = 0;
   bool is_certain = false;
 };
-[[nodiscard]] CertainSign refined_sign(const FilterPlane& plane, const RefinedPlane& tail, const Vec3& vertex,
-                                       const Vec3& origin, double reach);
+[[nodiscard]] inline CertainSign refined_sign(const FilterPlane& plane, const RefinedPlane& tail, const Vec3& vertex,
+                                              const Vec3& origin, double reach) {
+  const auto real = [](const Vec3& v) { return constants<PlainArithmetic>(v); };
+  const auto [value, error, is_exact] = refined_value(real(plane.normal), plane.offset, real(tail.normal), tail.offset,
+                                                      tail.uncertainty, reach, real(vertex), real(origin));
+  if (std::fabs(value) > error || is_exact) return {PlainArithmetic::sign(value), true};
+  return {};
+}
 
 }  // namespace occlude::kernel

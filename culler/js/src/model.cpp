@@ -14,6 +14,7 @@
 #include "camera/holds_for.h"
 #include "cameras.h"
 #include "cover/cover_triangles.h"
+#include "frame/begin_frame.h"
 #include "frame/next_by_cover.h"
 #include "mesh_data.h"
 #include "model/hierarchy_blocks.h"
@@ -84,7 +85,8 @@ occlude_status cull(const occlude_model* model, const Camera* given, const occlu
     culler::require_sound(camera);
     const culler::CullOptions how = to_options(*options);
     culler::View::Memory& memory = memory_for(view->view, model->owner);
-    next_by_cover(model->hierarchy, model->blocks.tree(), model->triangles, camera, how, memory);
+    culler::begin_frame(model->hierarchy, camera, how, memory);
+    next_by_cover(model->hierarchy, model->blocks.tree(), model->triangles, how, memory);
     keep(model->hierarchy, memory.frame.result, *view);
   });
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 
 #include "occlude/render/errors.h"
@@ -12,15 +13,15 @@
 namespace occlude::render {
 namespace {
 
-// The kernel is exact for magnitudes from 2^-100 to 2^100.
-constexpr double kSmallest = 0x1p-100;
-constexpr double kLargest = 0x1p+100;
-
 std::optional<std::string> coordinate_fault(char axis, double value) {
-  const double magnitude = std::fabs(value);
-  if (value == 0 || (magnitude >= kSmallest && magnitude <= kLargest)) return std::nullopt;
-  if (!std::isfinite(value)) return fmt::format("{} is not finite", axis);
-  return fmt::format("{} is out of range (neither 0 nor of magnitude 2^-100 to 2^100)", axis);
+  switch (kernel::check(value)) {
+    case kernel::Refusal::none:
+      return std::nullopt;
+    case kernel::Refusal::not_finite:
+      return fmt::format("{} is not finite", axis);
+    default:
+      return fmt::format("{} is out of range (neither 0 nor of magnitude 2^-100 to 2^100)", axis);
+  }
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ std::optional<std::string> vertex_fault(const glm::dvec3& v) {
 std::size_t drop_tiny(glm::dvec3& v) {
   std::size_t dropped = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    if (v[axis] == 0 || !(std::fabs(v[axis]) < kSmallest)) continue;
+    if (v[axis] == 0 || !(std::abs(v[axis]) < kernel::kMinMagnitude)) continue;
     v[axis] = 0;
     ++dropped;
   }
@@ -42,9 +43,10 @@ std::size_t drop_tiny(glm::dvec3& v) {
 }
 
 void require_coarse(const std::filesystem::path& file, culler::SoupView soup) {
-  constexpr double kLeast = 0x1p53 * kSmallest;  // of doubles from here on, the last bit is 2^-100 or more
+  constexpr double kLeast = 0x1p53 * kernel::kMinMagnitude;  // of doubles from here on, the last bit is 2^-100 or more
   const auto is_coarse = [](const glm::dvec3& v) {
-    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) >= kLeast;
+    const glm::dvec3 magnitudes = glm::abs(v);
+    return std::max({magnitudes.x, magnitudes.y, magnitudes.z}) >= kLeast;
   };
   if (std::ranges::any_of(soup.vertices, is_coarse)) return;
   throw InputError(file.string() +
