@@ -230,9 +230,9 @@ void CoverBorder::begin(const ConservativeViewport& picture, const PixelRectangl
   const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(picture.height() / kTile);
   if (++border_ == 0 || drawn_.size() != count) {
     drawn_.assign(count, {});
-    enclosed_.resize(static_cast<std::size_t>(tiles_across_));
     border_ = 1;
   }
+  enclosed_.resize(static_cast<std::size_t>(tiles_across_));
 }
 
 void CoverBorder::draw(const BoundedPosition& from, const BoundedPosition& to) {

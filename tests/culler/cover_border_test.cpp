@@ -202,4 +202,23 @@ TEST(CoverBorder, BeginsEmpty) {
   for (const std::uint64_t closed : closed_by(border)) EXPECT_EQ(closed, 0U);
 }
 
+/// A picture that is wider than the one before and has as many tiles. What is written beyond the row of a narrower one, the
+/// memory's own checks find.
+TEST(CoverBorder, BeginsWiderWithAsManyTiles) {
+  constexpr int kTiles = 1 << 16;
+  const auto begun = [](CoverBorder& border, int across) {
+    const int up = kTiles / across;
+    border.begin({FrameView(Camera{}, 100), {across * kTile, up * kTile, 0}, 0}, {0, 0, across, up});
+    border.draw({{-9, -9}, 1e-9}, {{3.5, 99}, 1e-9});
+    border.draw({{3.5, 99}, 1e-9}, {{9e3, -9}, 1e-9});
+    border.draw({{9e3, -9}, 1e-9}, {{-9, -9}, 1e-9});
+    std::vector<std::uint64_t> closed(kTiles);
+    border.find_closed(closed);
+    return closed;
+  };
+  CoverBorder border, wide;
+  begun(border, 2);
+  EXPECT_EQ(begun(border, kTiles / 2), begun(wide, kTiles / 2));
+}
+
 }  // namespace cover_border_test
