@@ -236,22 +236,23 @@ test("rays keep what pixels show, and pyramids what is near or out of the pictur
 test("a link names place and settings, to the last digit", isMade, async () => {
   const {parse, format, defaults} = await part("address");
   const place = {eye: [1 / 3, -2e-7, 1e6], target: [0.1 + 0.2, 5, 6]};
-  const all = {scene: "town", model: undefined, place, before: {eye: [0, 0, 0], target: [1, 0, 0]},
+  const all = {scene: "town", model: undefined, place, frame: undefined, before: {eye: [0, 0, 0], target: [1, 0, 0]},
     settings: {method: "objects", isCulling: false, budget: 1.5, hold: 0.5, isClay: true, isCatching: true}};
   assert.deepEqual(parse(format(all)), all);
-  assert.deepEqual(parse(""), {scene: undefined, model: undefined, place: undefined, before: undefined, settings: defaults});
+  assert.deepEqual(parse(""), {scene: undefined, model: undefined, place: undefined, frame: undefined, before: undefined, settings: defaults});
+  assert.equal(parse("#frame=7").frame, 7);
   assert.equal(parse("#eye=1,2&target=3,4,5").place, undefined);
   assert.equal(parse("#eye=1,2,3&target=1,2,3").place, undefined, "looking nowhere");
 });
 
 test("a recorded path has a keyframe for each thirtieth of a second, and two at least", isMade, async () => {
   const {Recorder} = await part("path");
-  const recorder = new Recorder(), at = x => ({eye: [x, 0, 0], target: [x + 1, 0, 0]});
+  const model = {name: "a.glb", lens: {fovY: 60, near: 0.1}, up: [0, 1, 0]}, recorder = new Recorder(), at = x => ({eye: [x, 0, 0], target: [x + 1, 0, 0]});
   recorder.start();
   recorder.record(at(0), 0);
-  assert.equal(JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0])).keyframes.length, 2);
+  assert.equal(JSON.parse(recorder.text(model)).keyframes.length, 2);
   recorder.record(at(1), 0.5);
-  const path = JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0]));
+  const path = JSON.parse(recorder.text(model));
   const {frames, keyframes, up, fov_y_deg: fovY, near} = path;
   assert.deepEqual([frames, keyframes.length, keyframes[15], up, fovY, near], [16, 16, at(1), [0, 1, 0], 60, 0.1]);
 });
@@ -259,11 +260,14 @@ test("a recorded path has a keyframe for each thirtieth of a second, and two at 
 test("objects are at most 256 triangles, and all triangles are there", isMade, async () => {
   const {Builder} = await part("builder"), builder = new Builder(), next = random(3);
   const corners = Float32Array.from({length: 9 * 1000}, next);
-  builder.add("Many", corners, new Uint8Array(12 * 1000));
+  builder.add("Many", corners, new Uint8Array(12 * 1000), Uint32Array.from({length: 1000}, (_, t) => 2 * t));
   const model = builder.model({name: "", up: [0, 0, 1], isColoured: false, cameras: [], flightIn: () => ({})});
   assert.deepEqual([...model.firsts].map((first, i, all) => (all[i + 1] ?? first) - first), [250, 250, 250, 250, 0]);
   const sorted = numbers => Array.from({length: 1000}, (_, t) => numbers.slice(9 * t, 9 * t + 9).join()).sort();
   assert.deepEqual(sorted(model.corners), sorted(corners));
+  for (const [t, number] of model.numbers.entries()) {
+    assert.deepEqual(model.corners.subarray(9 * t, 9 * t + 9), corners.subarray(4.5 * number, 4.5 * number + 9), "each keeps its number");
+  }
 });
 
 test("built-in scenes are the same each time, and one flies through none of their walls", isMade, async () => {

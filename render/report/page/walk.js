@@ -288,7 +288,7 @@ class WalkPage {
       this.viewer.isFollowing = true;
       this.showFrame();
     });
-    byId('save').addEventListener('click', async () => saveFile('path.json', new TextDecoder().decode(await bytesOfPart('way'))));
+    byId('save').addEventListener('click', async () => save('path.json', new TextDecoder().decode(await bytesOfPart('way'))));
     for (const box of document.querySelectorAll('input[data-layer]')) {
       box.addEventListener('change', () => {
         this.viewer.layers[box.dataset.layer] = box.checked;

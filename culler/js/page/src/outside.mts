@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The camera that looks from outside: it goes round the eye, and follows it.
-import {axesOf, levelAxes, type Camera, type Place} from "./camera.mjs";
+import {axesOf, levelAxes} from "./axes.mjs";
+import type {Camera, Place} from "./camera.mjs";
 import {add, dot, scale, type Point} from "./points.mjs";
 
 export class Outside {
