@@ -270,6 +270,42 @@ test("objects are at most 256 triangles, and all triangles are there", isMade, a
   }
 });
 
+test("PLY files of each kind are read, with faces of many corners", isMade, async () => {
+  const {readPly} = await part("ply");
+  const header = (format, type, more = "") => `ply\nformat ${format} 1.0\nelement vertex 5\nproperty ${type} x\nproperty ${type} y\n` +
+    `property ${type} z\n${more}element face 3\nproperty list uchar int vertex_indices\nend_header\n`;
+  const points = [[0, 0, 0], [2, 0, 0], [3, 1, 0.5], [2, 2, 0], [0, 2, 0]], faces = [[0, 1, 2, 3, 4], [0, 1], [4, 1, 0]];
+  const corners = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [4, 1, 0]].flatMap(loop => loop.flatMap(vertex => points[vertex]));
+  const bytes = text => new TextEncoder().encode(text);
+  const text = `${points.map(p => p.join(" ")).join("\n")}\n${faces.map(f => [f.length, ...f].join(" ")).join("\n")}\n`;
+  const binary = (isLittle, type) => {
+    const size = type === "double" ? 8 : 4, data = new DataView(new ArrayBuffer(15 * size + 3 + 40));
+    let at = 0;
+    for (const x of points.flat()) {
+      if (size === 8) data.setFloat64(at, x, isLittle);
+      else data.setFloat32(at, x, isLittle);
+      at += size;
+    }
+    for (const face of faces) {
+      data.setUint8(at++, face.length);
+      for (const vertex of face) data.setInt32((at += 4) - 4, vertex, isLittle);
+    }
+    return Uint8Array.from([...bytes(header(isLittle ? "binary_little_endian" : "binary_big_endian", type)), ...new Uint8Array(data.buffer)]);
+  };
+  for (const file of [bytes(header("ascii", "float") + text), binary(true, "double"), binary(true, "float"), binary(false, "double")]) {
+    const ply = readPly(file, "a.ply");
+    assert.deepEqual([[...ply.corners], [...ply.faces], ply.isColoured], [corners, [0, 0, 0, 1], false]);
+  }
+  const coloured = header("ascii", "float", "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  const rows = points.map((p, i) => `${p.join(" ")} ${10 * i} 20 30`).join("\n");
+  const ply = readPly(bytes(`${coloured}${rows}\n5 0 1 2 3 4\n0\n0\n`), "a.ply");
+  assert.deepEqual([[...ply.colours.subarray(0, 12)], ply.isColoured], [[0, 20, 30, 255, 10, 20, 30, 255, 20, 20, 30, 255], true]);
+  const broken = {"obj\n": /^Error: a.ply: this is no PLY file$/, [header("ascii", "float") + text.replace("4 1 0", "4 1 5")]: /vertex 5, which is not there/,
+    [header("ascii", "float") + text.slice(0, 30)]: /ends early/, [header("binary_little_endian", "float") + "xyz"]: /ends early/,
+    [header("binary_little_endian", "quaternion")]: /no type quaternion/};
+  for (const [file, reason] of Object.entries(broken)) assert.throws(() => readPly(bytes(file), "a.ply"), reason);
+});
+
 test("built-in scenes are the same each time, and one flies through none of their walls", isMade, async () => {
   const {scenes} = await part("scenes"), {triangleCount, cornerOf} = await part("model"), {crosses} = await part("proof");
   assert.equal(scenes.length, 5);

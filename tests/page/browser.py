@@ -2,6 +2,8 @@
 """Pages in Chromium: what their tests share."""
 import json
 import os
+import re
+import struct
 import unittest
 
 from selenium import webdriver
@@ -19,6 +21,27 @@ def browser(*options):
     driver = webdriver.Chrome(options=chrome, service=Service('chromedriver'))
     driver.set_script_timeout(120)
     return driver
+
+
+# The triangles of the model: of each the number of its face, nine coordinates, and whether light comes through.
+TRIANGLES = '''
+    const {corners, colours, numbers} = app.model;
+    return Array.from(numbers, (face, t) => [face, ...corners.subarray(9 * t, 9 * t + 9), Number(colours[12 * t + 3] === 0)]);'''
+
+
+def triangles_of_ply(name):
+    """The fans of the faces, in single precision."""
+    with open(name, 'rb') as file:
+        header, data = file.read().split(b'end_header\n', 1)
+    vertices, faces = (int(count) for count in re.findall(rb'element \w+ (\d+)', header))
+    points = list(struct.iter_unpack('<3d', data[:24 * vertices]))
+    triangles, at = [], 24 * vertices
+    for face in range(faces):
+        loop = struct.unpack_from(f'<{data[at]}I', data, at + 1)
+        at += 1 + 4 * len(loop)
+        for corners in ((loop[0], loop[i], loop[i + 1]) for i in range(1, len(loop) - 1)):
+            triangles.append([face, *(struct.unpack('f', struct.pack('f', x))[0] for corner in corners for x in points[corner]), 0])
+    return triangles
 
 
 class Page(unittest.TestCase):

@@ -62,6 +62,7 @@ class Flight(browser.Flight):
         self.open('#scene=rooms')
         self.drop_model('city.ply')
         self.assertEqual(self.run_script('return [app.model.up, app.model.isColoured]'), [[0, 0, 1], False])
+        self.assertEqual(sorted(self.run_script(browser.TRIANGLES)), sorted(browser.triangles_of_ply('city.ply')))
         self.drop(self.write('bad.obj', 'v 0 0 0\n'))
         self.wait_for('document.getElementById("toast").textContent === "bad.obj: no triangles"')
         self.assertEqual(self.run_script('return app.model.name'), 'city.ply')

@@ -3,34 +3,11 @@
 """Flies through models that `occlude inspect` has put into the page: path.html, free.html and far.html, in the working folder."""
 import json
 import os
-import re
-import struct
 import unittest
 
 from selenium.webdriver.support.ui import WebDriverWait
 
 import browser
-
-# The triangles of the model: of each the number of its face, nine coordinates, and whether light comes through.
-TRIANGLES = '''
-    const {corners, colours, numbers} = app.model;
-    return Array.from(numbers, (face, t) => [face, ...corners.subarray(9 * t, 9 * t + 9), Number(colours[12 * t + 3] === 0)]);'''
-
-
-def triangles_of_ply(name):
-    """The fans of the faces, in single precision."""
-    with open(name, 'rb') as file:
-        header, data = file.read().split(b'end_header\n', 1)
-    vertices, faces = (int(count) for count in re.findall(rb'element \w+ (\d+)', header))
-    points = list(struct.iter_unpack('<3d', data[:24 * vertices]))
-    triangles, at = [], 24 * vertices
-    for face in range(faces):
-        loop = struct.unpack_from(f'<{data[at]}I', data, at + 1)
-        at += 1 + 4 * len(loop)
-        for corners in ((loop[0], loop[i], loop[i + 1]) for i in range(1, len(loop) - 1)):
-            triangles.append([face, *(struct.unpack('f', struct.pack('f', x))[0] for corner in corners for x in points[corner]), 0])
-    return triangles
-
 
 class Inspect(browser.Flight):
     FILE = 'path.html'
@@ -54,7 +31,7 @@ class Inspect(browser.Flight):
 
     def test_the_model_is_that_of_the_file(self):
         self.open()
-        self.assertEqual(sorted(self.run_script(TRIANGLES)), sorted(triangles_of_ply('city.ply')))
+        self.assertEqual(sorted(self.run_script(browser.TRIANGLES)), sorted(browser.triangles_of_ply('city.ply')))
 
     def test_pictures_with_and_without_culling_are_equal(self):
         self.open()
@@ -73,7 +50,7 @@ class Inspect(browser.Flight):
         near = [[x + o for x, o in zip(box, origin)] for box in self.run_script('return [app.model.box.low, app.model.box.high]')]
         for found, known in zip(near[0] + near[1], [3000000.25, 500000.5, 10.1, 3000004.25, 500003.5, 14.3]):
             self.assertAlmostEqual(found, known, delta=1e-6)
-        self.assertEqual(sorted((t[0], t[-1]) for t in self.run_script(TRIANGLES)), [(0, 0), (0, 0), (1, 0), (1, 0), (2, 1)])
+        self.assertEqual(sorted((t[0], t[-1]) for t in self.run_script(browser.TRIANGLES)), [(0, 0), (0, 0), (1, 0), (1, 0), (2, 1)])
         self.look([1, 2, 30], [1, 2, 0])
         why = self.run_script('return app.why(app.model.numbers.indexOf(2)).text')
         self.assertRegex(why, '^Polygon 2 of “far.obj” is drawn')

@@ -53,7 +53,7 @@ class Viewer {
     this.isOutside = true;
     this.isFollowing = true;  // until somebody moves the camera outside
     this.picked = null;
-    canvas.style.aspectRatio = lens.aspect;
+    canvas.style.setProperty('--aspect', lens.aspect);
     this.orbit = null;
     new ResizeObserver(() => this.invalidate()).observe(canvas);
   }

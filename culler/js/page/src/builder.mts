@@ -84,7 +84,8 @@ function boxOfBoxes(boxes: Float64Array): number[] {
   return all;
 }
 
-function gather<Numbers extends Float32Array | Uint8Array | Uint32Array>(from: Numbers, which: Uint32Array, size: number): Numbers {
+/** Of a list with so many numbers for each thing those of some things. */
+export function gather<Numbers extends Float32Array | Uint8Array | Uint32Array>(from: Numbers, which: Uint32Array, size: number): Numbers {
   const part = from.slice(0, size * which.length) as Numbers;
   which.forEach((w, i) => part.set(from.subarray(size * w, size * w + size), size * i));
   return part;
