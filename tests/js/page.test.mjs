@@ -270,6 +270,27 @@ test("objects are at most 256 triangles, and all triangles are there", isMade, a
   }
 });
 
+test("from outside one is behind the camera, turns after it until somebody turns, and what is shifted moves by pixels", isMade, async () => {
+  const {Orbit} = await part("orbit"), {axesOf} = await part("axes"), {dot, subtract, distance} = await part("points");
+  const orbit = new Orbit(), camera = looking([3, 4, 5]), near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
+  orbit.restart(10);
+  orbit.follow(camera, 1);
+  const behind = orbit.camera(camera, 1.6);
+  assert.ok(dot(subtract(behind.eye, camera.eye), [1, 0, 0]) < 0 && behind.eye[2] > camera.eye[2], "behind and above");
+  near(distance(behind.eye, behind.target), 10);
+  near(axesOf(behind).forward[1], 0);
+  orbit.follow(looking([3, 4, 5], [3, 5, 5]), 0.5);
+  near(orbit.yaw, Math.PI / 4);
+  const {right, up} = axesOf(orbit.camera(camera, 1)), before = orbit.camera(camera, 1).target;
+  orbit.shift(camera, 0.2, 0.1);
+  const moved = subtract(orbit.camera(camera, 1).target, before);
+  near(dot(moved, right), -2);
+  near(dot(moved, up), -1);
+  orbit.turn(1, 9);
+  orbit.follow(camera, 1);
+  assert.deepEqual([orbit.yaw, orbit.pitch, orbit.isFollowing], [1 + Math.PI / 4, 1.5, false]);
+});
+
 test("PLY files of each kind are read, with faces of many corners", isMade, async () => {
   const {readPly} = await part("ply");
   const header = (format, type, more = "") => `ply\nformat ${format} 1.0\nelement vertex 5\nproperty ${type} x\nproperty ${type} y\n` +

@@ -51,10 +51,9 @@ class Viewer {
     this.size = distance(model.low, this.high);
     this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true, region: true, cut: true, boxes: false, vain: false};
     this.isOutside = true;
-    this.isFollowing = true;  // until somebody moves the camera outside
     this.picked = null;
     canvas.style.setProperty('--aspect', lens.aspect);
-    this.orbit = null;
+    this.orbit = new Orbit();
     new ResizeObserver(() => this.invalidate()).observe(canvas);
   }
 
@@ -69,7 +68,7 @@ class Viewer {
     const isNear = before && distance(before.eye, eye) < 0.1 * this.depth;
     this.depth = isNear ? this.depth + 0.15 * (depth - this.depth) : depth;  // no jumps from frame to frame
     this.models.fates.set(frame.fates);
-    if (!this.orbit || this.isFollowing) this.orbit = this.behind();
+    if (this.orbit.isFollowing) this.goBehind();
     this.isSeenKnown = false;
     clearTimeout(this.seeing);
     this.seeing = setTimeout(() => this.see(), 150);  // once the frame stays
@@ -132,29 +131,18 @@ class Viewer {
     return number === 0 ? null : this.model.polygonOf(number - 1);
   }
 
-  /** A camera outside starts behind and above that of the frame. */
-  behind() {
-    const {east, north, up} = levelAxes(this.lens.up);
-    const {forward} = axesOf(this.camera);
-    return {
-      yaw: Math.atan2(-dot(forward, north), -dot(forward, east)),
-      pitch: 0.75,
-      distance: 1.5 * this.depth,
-      centre: scale(subtract(forward, scale(up, dot(forward, up))), 0.42 * this.depth),  // from the eye of the frame
-    };
+  /** The camera outside is behind and above that of the frame, until somebody moves it. */
+  goBehind() {
+    this.orbit.restart(1.5 * this.depth);
+    this.orbit.follow({...this.camera, up: this.lens.up}, 1);
   }
 
   // The rest is how.
 
   /** The camera outside. */
   outside() {
-    const {east, north, up} = levelAxes(this.lens.up);
-    const {yaw, pitch, distance: away, centre} = this.orbit;
-    const target = add(this.camera.eye, centre);
-    const level = add(scale(east, Math.cos(yaw)), scale(north, Math.sin(yaw)));
-    const eye = add(target, scale(add(scale(level, Math.cos(pitch)), scale(up, Math.sin(pitch))), away));
-    return {projection: 'perspective', fov_y_deg: 50, aspect: this.lens.aspect, up, eye, target,
-            near: away / 200, far: away + this.farthest(target)};
+    const {fovY, ...camera} = this.orbit.camera({...this.camera, up: this.lens.up}, this.lens.aspect);
+    return {...camera, projection: 'perspective', fov_y_deg: fovY, far: this.orbit.distance + this.farthest(camera.target)};
   }
 
   farthest(point) {

@@ -313,8 +313,8 @@ class WalkPage {
     byId('eye').addEventListener('click', () => this.setOutside(false));
     byId('outside').addEventListener('click', () => this.setOutside(true));
     byId('behind').addEventListener('click', () => {
-      this.viewer.isFollowing = true;
-      this.showFrame();
+      this.viewer.goBehind();
+      this.viewer.invalidate();
     });
     byId('save').addEventListener('click', async () => save('path.json', new TextDecoder().decode(await bytesOfPart('way'))));
     for (const box of document.querySelectorAll('input[data-layer]')) {

@@ -14,7 +14,7 @@ import {viewsOf, type Views} from "./layout.mjs";
 import type {ColouredLine} from "./lines.mjs";
 import {metreOf} from "./metre.mjs";
 import {cornerOf, isSeeThrough, objectCount, triangleCount, type Model} from "./model.mjs";
-import {Outside} from "./outside.mjs";
+import {Orbit} from "./orbit.mjs";
 import {Painter, type Look, type Viewport} from "./painter.mjs";
 import {kRate, Recorder} from "./path.mjs";
 import {add, dot, scale, type Point} from "./points.mjs";
@@ -54,7 +54,7 @@ export class App {
   readonly canvas: HTMLCanvasElement;
   readonly painter: Painter;
   readonly walker = new Walker();
-  readonly outside = new Outside();
+  readonly outside = new Orbit();
   readonly recorder = new Recorder();
   readonly shows = {outside: true, hidden: true, outOfView: true, cut: false};
   settings: Settings;
@@ -110,7 +110,7 @@ export class App {
     this.share = 0;
     this.walker.place = place ? this.#placeIn(place) : placeOf(model.flight, 0);
     this.setFlying(place === undefined);
-    this.outside.restart(Math.min(0.6 * model.box.size, 90 * this.unit));
+    this.outside.restart(Math.min(0.6 * model.box.size, 60 * this.unit + 0.12 * model.box.size));
     this.shows.cut = isRoofed(model, this.walker.place.eye, this.unit);
     this.forget();
     this.#step(0);

@@ -51,7 +51,8 @@ export class Panel {
     byId("scene-name").textContent = model.name;
     document.title = `occlude: ${model.name}`;
     byId("about").textContent = `${model.name}: ${sizeOf(this.#app)}. W A S D or the arrows walk, Q and E go down and up, ` +
-      "Shift is faster; drag looks around, the wheel changes the speed. One finger looks, two walk. A click asks why.";
+      "Shift is faster; drag looks around, the wheel changes the speed. One finger looks, two walk. A click asks why. " +
+      "From outside drag turns, Shift and drag or two fingers move, the wheel or a pinch zooms.";
     inputOf("cut").checked = shows.cut;
     const select = byId<HTMLSelectElement>("scene"), isOwn = source.scene === undefined;
     select.querySelector("option[value=own]")?.remove();
