@@ -23,6 +23,13 @@ class Flight(browser.Flight):
         self.assertEqual(self.text('scene-name'), 'Town')
         self.assertNotEqual(self.text('hidden'), '–')
 
+    def test_interiors_are_cut_open_and_nothing_else_is(self):
+        cut = []
+        for scene in 'town', 'rooms', 'forest':
+            self.open(f'#scene={scene}')
+            cut.append(self.run_script('return [app.shows.cut, document.getElementById("cut").checked]'))
+        self.assertEqual(cut, [[False, False], [True, True], [False, False]])
+
     def test_a_dropped_gltf_is_culled_by_both_methods(self):
         self.open('#scene=rooms')
         self.drop_model(self.write('room.gltf', gltf.of_boxes(ROOM, [0, 0, 0])))

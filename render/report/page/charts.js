@@ -47,7 +47,7 @@ class Charts {
       strokeWidth: stacked ? 0.5 : 1.3,
       includeZero: !isLog,
       legend: 'never',
-      axes: {y: {labelsKMB: true}},
+      axes: {y: {labelsKMB: unit !== 'ms'}},
       ylabel: isLog ? `${unit}, log scale` : unit,
       xlabel: 'frame',
       yLabelWidth: 16,

@@ -3,7 +3,7 @@
 import type {Occlude} from "occlude";
 
 import {format, type Settings} from "./address.mjs";
-import {axesOf} from "./axes.mjs";
+import {axesOf, levelAxes} from "./axes.mjs";
 import {halfSizeOf, moved, type Camera, type Place} from "./camera.mjs";
 import {frustumColour, wrongColour, occluderColour} from "./colours.mjs";
 import {Culling} from "./culling.mjs";
@@ -13,12 +13,11 @@ import {Judge, type Catch, type Scores} from "./judge.mjs";
 import {viewsOf, type Views} from "./layout.mjs";
 import type {ColouredLine} from "./lines.mjs";
 import {metreOf} from "./metre.mjs";
-import {cornerOf, isSeeThrough, objectCount, triangleCount, type Model} from "./model.mjs";
+import {cornerOf, isSeeThrough, objectCount, triangleCount, type Flight, type Model} from "./model.mjs";
 import {Orbit} from "./orbit.mjs";
 import {Painter, type Look, type Viewport} from "./painter.mjs";
 import {kRate, Recorder} from "./path.mjs";
-import {add, dot, scale, type Point} from "./points.mjs";
-import {crosses} from "./proof.mjs";
+import {add, dot, scale} from "./points.mjs";
 import {Walker} from "./walker.mjs";
 import {Asker, type Answer} from "./why.mjs";
 
@@ -111,7 +110,7 @@ export class App {
     this.walker.place = place ? this.#placeIn(place) : placeOf(model.flight, 0);
     this.setFlying(place === undefined);
     this.outside.restart(Math.min(0.6 * model.box.size, 60 * this.unit + 0.12 * model.box.size));
-    this.shows.cut = isRoofed(model, this.walker.place.eye, this.unit);
+    this.shows.cut = this.#isMostlyRoofed(place ? [this.walker.place] : samplesOf(model.flight));
     this.forget();
     this.#step(0);
     await new Promise(resolve => setTimeout(resolve));
@@ -270,6 +269,17 @@ export class App {
     return {view, camera, at: [px - view.x, py - view.y]};
   }
 
+  /** Whether so many of these places are under something opaque that the view from outside is best cut open. */
+  #isMostlyRoofed(places: readonly Place[]): boolean {
+    const {up} = this.model, {east} = levelAxes(up);
+    const isRoofed = ({eye}: Place): boolean => {
+      const above: Camera = {eye, target: add(eye, up), up: east, fovY: 1, aspect: 1, near: this.model.lens.near};
+      const triangle = this.painter.triangleAt(above, [0, 0], {x: 0, y: 0, width: 1, height: 1}, Infinity);
+      return triangle !== undefined && !isSeeThrough(this.model, triangle);
+    };
+    return places.filter(isRoofed).length > kShareOfRoofs * places.length;
+  }
+
   #prepare(): void {
     this.#culling?.dispose();
     this.#culling = new Culling(this.#occlude, this.model, this.settings.method);
@@ -417,15 +427,10 @@ export function median(numbers: readonly number[]): number {
   return [...numbers].sort((a, b) => a - b)[numbers.length >> 1] ?? NaN;
 }
 
-/** Whether something opaque is above the eye: then the view from outside is cut open. */
-function isRoofed(model: Model, eye: Point, metre: number): boolean {
-  const above = add(eye, scale(model.up, 20 * metre));
-  for (let t = 0; t < triangleCount(model); ++t) {
-    if (isSeeThrough(model, t)) continue;
-    if (crosses(eye, above, cornerOf(model, t, 0), cornerOf(model, t, 1), cornerOf(model, t, 2)) !== false) return true;
-  }
-  return false;
-}
+/** Trees and bridges are above few places of a way, roofs of a building that one walks through above many. */
+const kShareOfRoofs = 0.25;
+const kSamplesOfFlight = 16;
+const samplesOf = (flight: Flight): Place[] => Array.from({length: kSamplesOfFlight}, (_, i) => placeOf(flight, i / kSamplesOfFlight));
 
 /** What an accused culler draws, whatever is out of view. */
 function frameWithout(model: Model, hidden: Uint8Array): Frame {
