@@ -22,7 +22,8 @@ class Inspect(browser.Flight):
         counts, triangles = self.run_script('return [app.frame.counts, app.model.corners.length / 9]')
         self.assertEqual(sum(counts.values()), triangles)
         self.assertEqual([self.text('scene-name'), self.driver.title], ['city.ply', 'occlude: city.ply'])
-        places, seconds, eye = self.run_script('return [app.model.flight.places.length, app.model.flight.seconds, app.model.flight.places[0].eye]')
+        places, seconds, eye = self.run_script(
+            'const {places, seconds} = app.model.flight; return [places.length, seconds, places[0].eye]')
         path = self.path()
         self.assertEqual(places, path['frames'])
         self.assertAlmostEqual(seconds, (path['frames'] - 1) / 30)
@@ -81,7 +82,8 @@ class Inspect(browser.Flight):
 
     def test_other_models_are_opened_and_this_one_again(self):
         self.open()
-        choose = '''const select = document.getElementById("scene"); select.value = arguments[0]; select.dispatchEvent(new Event("change"));'''
+        choose = ('const select = document.getElementById("scene"); select.value = arguments[0]; '
+                  'select.dispatchEvent(new Event("change"));')
         for key, name in ('town', 'Town'), ('inside', 'city.ply'):
             self.run_script(choose, key)
             self.wait_for(f'app.model.name === "{name}" && app.frame')

@@ -14,7 +14,8 @@ function touches() {
 
 /** Whether a chart from 0 on would have a whole series in its lowest twentieth, where no one reads a figure. */
 function spansDecades(series) {
-  const most = Math.max(...series.flatMap(s => s.values)), medians = series.map(({values}) => [...values].sort((a, b) => a - b)[values.length >> 1]);
+  const most = Math.max(...series.flatMap(s => s.values));
+  const medians = series.map(({values}) => [...values].sort((a, b) => a - b)[values.length >> 1]);
   return series.every(({values}) => Math.min(...values) > 0) && Math.min(...medians) < most / 20;
 }
 

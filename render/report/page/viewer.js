@@ -10,7 +10,8 @@ const hiderColour = number => kHiderColours[number % kHiderColours.length];
 
 /** Of boxes. */
 const kDrawnBoxColour = '#8a5a2b', kOutOfViewColour = '#9aa3af';
-const colourOfFate = fate => fate === Fate.covered ? hiddenColour : rgb(fate === Fate.outOfView ? kOutOfViewColour : hiderColour(fate - Fate.hidden));
+const colourOfFate = fate =>
+    fate === Fate.covered ? hiddenColour : rgb(fate === Fate.outOfView ? kOutOfViewColour : hiderColour(fate - Fate.hidden));
 
 /** What was drawn in vain, from rarely to often: the more, the darker. */
 const kHeat = ['#fde8a9', '#f9a85d', '#e0533d', '#992766', '#3b0f70'];
