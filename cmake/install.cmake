@@ -48,8 +48,8 @@ if(OCCLUDE_TOOLS)
     set_target_properties(occlude PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
   endif()
   install(TARGETS occlude)
-  # Where render/live/build.sh has made it. The program looks for it beside itself.
-  install(FILES ${PROJECT_BINARY_DIR}/live.wasm TYPE BIN OPTIONAL)
+  # Where culler/js/page/build.sh has made it. The program looks for it beside itself.
+  install(FILES ${PROJECT_BINARY_DIR}/viewer.html TYPE BIN OPTIONAL)
   # The command writes its manual page and its completion itself.
   set(text_folder ${PROJECT_BINARY_DIR}/package/text)
   install(CODE "

@@ -18,7 +18,7 @@ fi
 source=$(mktemp -d)
 trap 'rm -rf "$source"' EXIT
 # The documents, and the headers, examples and pictures that they link to, where they are in the project.
-find . \( -path ./build -o -path ./.git -o -path ./tests/data/models -o -path ./shared \) -prune -o \
+find . \( -path ./build -o -path ./.git -o -path ./tests/data/models -o -path ./shared -o -name node_modules \) -prune -o \
   \( -name '*.md' -o -name '*.css' -o -name '*.py' -o -path '*/include/*.h' -o -path '*/example/*' -o -path './render/images/*' \) -type f -print0 |
   tar --create --null --files-from=- | tar --extract --directory "$source"
 

@@ -17,7 +17,7 @@ draw() {
 draw street
 draw outside --layer outside
 # The same frame in the page of a walk.
-build/release/occlude walk "$demo/city.ply" --path "$demo/city.json" --frames 3:2748:109 --out "$demo/pictures"
+build/release/occlude walk "$demo/city.ply" --path "$demo/city.json" --frames 3:2748:109 --method frusta --out "$demo/pictures"
 . tests/page/need_browser.sh
 "$python" -B tests/page/picture.py "$demo/pictures/report.html" 1093 render/images/page.png
 # What a frame takes where culls hold, on a machine that does nothing else.

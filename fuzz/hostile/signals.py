@@ -32,7 +32,7 @@ COMMANDS = {
     "walk": ("{walls} --path {path} --frames 0:8 --size 64x36 --out out --witness out/witness.jsonl",
              "out/summary.json out/frames.csv out/report.html out/witness.jsonl"),
     "render": ("{walls} --path {path} --frames 0:8 --size 64x36 --out walls.png", "walls.png"),
-    "inspect": ("{city} --module {module} --out city.html", "city.html"),
+    "inspect": ("{city} --page {page} --out city.html", "city.html"),
     "compare": ("{walked} {walked} --out compared.html", "compared.html"),
     "why": ("{walls} --path {path} --frame 8 --polygon 7 --size 64x36 --out out", "out/why.json out/view.png"),
     "classify": ("{cases}", ""),
@@ -77,9 +77,9 @@ def make_inputs(occlude, folder):
     case = ('{"id":"%d","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface",'
             '"box":{"min":[4,2,0],"max":[4,3,1]}}\n')
     (folder / "cases.jsonl").write_text("".join(case % i for i in range(5000)))
-    (folder / "module.wasm").write_bytes(b"\0asm")
+    (folder / "page.html").write_text("<!-- The model of `occlude inspect` -->\n")
     return {"city": folder / "city.ply", "walls": folder / "walls.ply", "path": folder / "path.json",
-            "walked": folder / "walked", "cases": folder / "cases.jsonl", "module": folder / "module.wasm"}
+            "walked": folder / "walked", "cases": folder / "cases.jsonl", "page": folder / "page.html"}
 
 
 def is_handled(pid, number):

@@ -2,8 +2,10 @@
 // occlude inspect
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "command_arguments.h"
@@ -11,8 +13,8 @@
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"
+#include "occlude/render/inspect_page.h"
 #include "occlude/render/interrupt.h"
-#include "occlude/render/live_page.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
 #include "path_arguments.h"
@@ -21,43 +23,48 @@ namespace occlude::cli {
 namespace {
 
 struct InspectArguments {
-  std::string model, out = "inspect.html", module;
+  std::string model, out = "inspect.html", page;
   PathArguments path;
   ReadArguments read;
 };
 
-/// live.wasm lies beside the program.
-std::string read_module(const std::string& given) {
+/// viewer.html lies beside the program.
+std::string read_page(const std::string& given) {
   std::filesystem::path file = given;
-  if (given.empty()) file = std::filesystem::read_symlink("/proc/self/exe").replace_filename("live.wasm");
+  if (given.empty()) file = std::filesystem::read_symlink("/proc/self/exe").replace_filename("viewer.html");
   if (given.empty() && !std::filesystem::exists(file)) {
     throw render::InputError(fmt::format(
-        "{}: the culler for pages is not there; bash render/live/build.sh builds it, --module names another place",
-        file.native()));
+        "{}: the page is not there; bash culler/js/page/build.sh builds it, --page names another place", file.native()));
   }
-  std::string bytes = render::read_input(file);
-  if (!bytes.starts_with(std::string("\0asm", 4))) {
-    throw render::InputError(fmt::format("{}: not a WebAssembly module", file.native()));
+  std::string page = render::read_input(file);
+  if (!render::is_inspect_page(page)) {
+    throw render::InputError(fmt::format("{}: not a page that culler/js/page/build.sh has made", file.native()));
   }
-  return bytes;
+  return page;
+}
+
+void require_small(const std::string& file, culler::SoupView model) {
+  const std::size_t triangles = model.indices.size() - 2 * model.size();
+  if (triangles > render::kMostPageTriangles) {
+    throw render::InputError(
+        fmt::format("{}: {} triangles; a page takes {} at most", file, triangles, render::kMostPageTriangles));
+  }
 }
 
 void inspect(const InspectArguments& arguments) {
   render::OutputFile out(arguments.out);
-  const std::string module = read_module(arguments.module);
+  const std::string page = read_page(arguments.page);
   const render::Model read = read_model(arguments.model, arguments.read.options());
-  const culler::PolygonSoup& model = read.soup;
-  if (model.size() > render::kMostLivePolygons) {
-    throw render::InputError(
-        fmt::format("{}: {} polygons; a page takes {} at most", arguments.model, model.size(), render::kMostLivePolygons));
-  }
-  render::LiveStart start = render::start_beside(model);
+  require_small(arguments.model, read.soup);
+  render::Inspected inspected{render::printable(std::filesystem::path(arguments.model).filename().native()), read.soup,
+                              render::up_of(read.notes)};
+  std::optional<render::CameraPath> path;
   if (arguments.path.is_given()) {
-    const render::CameraPath path = arguments.path.through(arguments.model, read);
-    warn_of_misfit(path, arguments.path, arguments.model, model);
-    start = render::start_of(path, model);
+    path = arguments.path.through(arguments.model, read);
+    warn_of_misfit(*path, arguments.path, arguments.model, read.soup);
+    inspected.path = &*path;
   }
-  out.write(live_page(render::printable(std::filesystem::path(arguments.model).filename().native()), model, start, module));
+  out.write(inspect_page(page, inspected));
   {
     const render::Uninterrupted naming;
     out.commit();
@@ -68,21 +75,22 @@ void inspect(const InspectArguments& arguments) {
 }  // namespace
 
 void add_inspect(Command app, int&) {
-  Command command = app.add_command("inspect", "Write a page in which one walks through a model while each frame is culled");
+  Command command = app.add_command("inspect", "Write a page in which one flies through a model while each frame is culled");
   command.footer(
-      "The page is one file that works offline. The culler in it is live.wasm, beside the program;\n"
-      "bash render/live/build.sh builds it, with Emscripten.\n"
-      "Keys and mouse walk; method, occluders, budget and margin can be changed; from outside one sees what is culled.\n"
+      "The page is one file that works offline. It is viewer.html, beside the program, with the model inside;\n"
+      "bash culler/js/page/build.sh builds that, with Emscripten and npm.\n"
+      "Keys, mouse and fingers fly; beside the camera's view is one from outside, with what is hidden; a click says why.\n"
+      "Pictures are in perspective, whatever the path says.\n"
       "Exit code: 0, or 2 for bad input.\n" +
       limits_help() +
       "\n"
       "Example: occlude inspect city.ply --path city.json --out city.html");
   const auto a = std::make_shared<InspectArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
-  a->path.add_to(command, "path to start on, and to fly along", "none");
+  a->path.add_to(command, "path to fly along", "round the model");
   a->read.add_to(command);
   add_output(command, "--out", a->out, "HTML file to write to").show_default();
-  add_input(command, "--module", a->module, "the culler for pages, if it is not beside the program");
+  add_input(command, "--page", a->page, "the page to put it into, if it is not beside the program");
   command.run([a] { inspect(*a); });
 }
 

@@ -3,6 +3,8 @@
 import {existsSync, readFileSync} from "node:fs";
 import {fileURLToPath} from "node:url";
 
+import {random as numbersOf} from "../../culler/js/page/src/random.mjs";
+
 export const project = fileURLToPath(new URL("../..", import.meta.url));
 /** OCCLUDE_JS_PACKAGE: a copy of it with other modules. */
 export const packageFolder = process.env.OCCLUDE_JS_PACKAGE ?? `${project}culler/js`;
@@ -18,13 +20,7 @@ export const need = (file, what) => (file && existsSync(file) ? {} : {skip: `ski
 /** Numbers from 0 to 1, always the same for the same seed, which is printed. */
 export function random(seed) {
   console.log(`seed ${seed}`);
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-  };
+  return numbersOf(seed);
 }
 
 /** The box as six polygons. */

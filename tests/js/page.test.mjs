@@ -236,22 +236,23 @@ test("rays keep what pixels show, and pyramids what is near or out of the pictur
 test("a link names place and settings, to the last digit", isMade, async () => {
   const {parse, format, defaults} = await part("address");
   const place = {eye: [1 / 3, -2e-7, 1e6], target: [0.1 + 0.2, 5, 6]};
-  const all = {scene: "town", model: undefined, place, before: {eye: [0, 0, 0], target: [1, 0, 0]},
+  const all = {scene: "town", model: undefined, place, frame: undefined, before: {eye: [0, 0, 0], target: [1, 0, 0]},
     settings: {method: "objects", isCulling: false, budget: 1.5, hold: 0.5, isClay: true, isCatching: true}};
   assert.deepEqual(parse(format(all)), all);
-  assert.deepEqual(parse(""), {scene: undefined, model: undefined, place: undefined, before: undefined, settings: defaults});
+  assert.deepEqual(parse(""), {scene: undefined, model: undefined, place: undefined, frame: undefined, before: undefined, settings: defaults});
+  assert.equal(parse("#frame=7").frame, 7);
   assert.equal(parse("#eye=1,2&target=3,4,5").place, undefined);
   assert.equal(parse("#eye=1,2,3&target=1,2,3").place, undefined, "looking nowhere");
 });
 
 test("a recorded path has a keyframe for each thirtieth of a second, and two at least", isMade, async () => {
   const {Recorder} = await part("path");
-  const recorder = new Recorder(), at = x => ({eye: [x, 0, 0], target: [x + 1, 0, 0]});
+  const model = {name: "a.glb", lens: {fovY: 60, near: 0.1}, up: [0, 1, 0]}, recorder = new Recorder(), at = x => ({eye: [x, 0, 0], target: [x + 1, 0, 0]});
   recorder.start();
   recorder.record(at(0), 0);
-  assert.equal(JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0])).keyframes.length, 2);
+  assert.equal(JSON.parse(recorder.text(model)).keyframes.length, 2);
   recorder.record(at(1), 0.5);
-  const path = JSON.parse(recorder.text("a.glb", 60, 0.1, [0, 1, 0]));
+  const path = JSON.parse(recorder.text(model));
   const {frames, keyframes, up, fov_y_deg: fovY, near} = path;
   assert.deepEqual([frames, keyframes.length, keyframes[15], up, fovY, near], [16, 16, at(1), [0, 1, 0], 60, 0.1]);
 });
@@ -259,11 +260,71 @@ test("a recorded path has a keyframe for each thirtieth of a second, and two at 
 test("objects are at most 256 triangles, and all triangles are there", isMade, async () => {
   const {Builder} = await part("builder"), builder = new Builder(), next = random(3);
   const corners = Float32Array.from({length: 9 * 1000}, next);
-  builder.add("Many", corners, new Uint8Array(12 * 1000));
+  builder.add("Many", corners, new Uint8Array(12 * 1000), Uint32Array.from({length: 1000}, (_, t) => 2 * t));
   const model = builder.model({name: "", up: [0, 0, 1], isColoured: false, cameras: [], flightIn: () => ({})});
   assert.deepEqual([...model.firsts].map((first, i, all) => (all[i + 1] ?? first) - first), [250, 250, 250, 250, 0]);
   const sorted = numbers => Array.from({length: 1000}, (_, t) => numbers.slice(9 * t, 9 * t + 9).join()).sort();
   assert.deepEqual(sorted(model.corners), sorted(corners));
+  for (const [t, number] of model.numbers.entries()) {
+    assert.deepEqual(model.corners.subarray(9 * t, 9 * t + 9), corners.subarray(4.5 * number, 4.5 * number + 9), "each keeps its number");
+  }
+});
+
+test("from outside one is behind the camera, turns after it until somebody turns, and what is shifted moves by pixels", isMade, async () => {
+  const {Orbit} = await part("orbit"), {axesOf} = await part("axes"), {dot, subtract, distance} = await part("points");
+  const orbit = new Orbit(), camera = looking([3, 4, 5]), near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
+  orbit.restart(10);
+  orbit.follow(camera, 1);
+  const behind = orbit.camera(camera, 1.6);
+  assert.ok(dot(subtract(behind.eye, camera.eye), [1, 0, 0]) < 0 && behind.eye[2] > camera.eye[2], "behind and above");
+  near(distance(behind.eye, behind.target), 10);
+  near(axesOf(behind).forward[1], 0);
+  orbit.follow(looking([3, 4, 5], [3, 5, 5]), 0.5);
+  near(orbit.yaw, Math.PI / 4);
+  const {right, up} = axesOf(orbit.camera(camera, 1)), before = orbit.camera(camera, 1).target;
+  orbit.shift(camera, 0.2, 0.1);
+  const moved = subtract(orbit.camera(camera, 1).target, before);
+  near(dot(moved, right), -2);
+  near(dot(moved, up), -1);
+  orbit.turn(1, 9);
+  orbit.follow(camera, 1);
+  assert.deepEqual([orbit.yaw, orbit.pitch, orbit.isFollowing], [1 + Math.PI / 4, 1.5, false]);
+});
+
+test("PLY files of each kind are read, with faces of many corners", isMade, async () => {
+  const {readPly} = await part("ply");
+  const header = (format, type, more = "") => `ply\nformat ${format} 1.0\nelement vertex 5\nproperty ${type} x\nproperty ${type} y\n` +
+    `property ${type} z\n${more}element face 3\nproperty list uchar int vertex_indices\nend_header\n`;
+  const points = [[0, 0, 0], [2, 0, 0], [3, 1, 0.5], [2, 2, 0], [0, 2, 0]], faces = [[0, 1, 2, 3, 4], [0, 1], [4, 1, 0]];
+  const corners = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [4, 1, 0]].flatMap(loop => loop.flatMap(vertex => points[vertex]));
+  const bytes = text => new TextEncoder().encode(text);
+  const text = `${points.map(p => p.join(" ")).join("\n")}\n${faces.map(f => [f.length, ...f].join(" ")).join("\n")}\n`;
+  const binary = (isLittle, type) => {
+    const size = type === "double" ? 8 : 4, data = new DataView(new ArrayBuffer(15 * size + 3 + 40));
+    let at = 0;
+    for (const x of points.flat()) {
+      if (size === 8) data.setFloat64(at, x, isLittle);
+      else data.setFloat32(at, x, isLittle);
+      at += size;
+    }
+    for (const face of faces) {
+      data.setUint8(at++, face.length);
+      for (const vertex of face) data.setInt32((at += 4) - 4, vertex, isLittle);
+    }
+    return Uint8Array.from([...bytes(header(isLittle ? "binary_little_endian" : "binary_big_endian", type)), ...new Uint8Array(data.buffer)]);
+  };
+  for (const file of [bytes(header("ascii", "float") + text), binary(true, "double"), binary(true, "float"), binary(false, "double")]) {
+    const ply = readPly(file, "a.ply");
+    assert.deepEqual([[...ply.corners], [...ply.faces], ply.isColoured], [corners, [0, 0, 0, 1], false]);
+  }
+  const coloured = header("ascii", "float", "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  const rows = points.map((p, i) => `${p.join(" ")} ${10 * i} 20 30`).join("\n");
+  const ply = readPly(bytes(`${coloured}${rows}\n5 0 1 2 3 4\n0\n0\n`), "a.ply");
+  assert.deepEqual([[...ply.colours.subarray(0, 12)], ply.isColoured], [[0, 20, 30, 255, 10, 20, 30, 255, 20, 20, 30, 255], true]);
+  const broken = {"obj\n": /^Error: a.ply: this is no PLY file$/, [header("ascii", "float") + text.replace("4 1 0", "4 1 5")]: /vertex 5, which is not there/,
+    [header("ascii", "float") + text.slice(0, 30)]: /ends early/, [header("binary_little_endian", "float") + "xyz"]: /ends early/,
+    [header("binary_little_endian", "quaternion")]: /no type quaternion/};
+  for (const [file, reason] of Object.entries(broken)) assert.throws(() => readPly(bytes(file), "a.ply"), reason);
 });
 
 test("built-in scenes are the same each time, and one flies through none of their walls", isMade, async () => {

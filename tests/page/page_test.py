@@ -56,7 +56,7 @@ class Reading(Page):
 
     def test_slider_keys_and_links_move_the_one_cursor(self):
         self.open('frusta')
-        self.assertEqual(self.number(), 0)
+        self.run_script('page.setIndex(0)')
         slider = self.element('slider')
         slider.send_keys(Keys.ARROW_RIGHT)
         self.assertEqual(self.number(), 20)
@@ -94,6 +94,7 @@ class Reading(Page):
     def test_space_plays(self):
         self.open('frusta')
         body = self.driver.find_element(By.TAG_NAME, 'body')
+        self.run_script('page.setIndex(0)')
         body.send_keys(' ')
         WebDriverWait(self.driver, 20).until(lambda _: self.number() > 0)
         self.assertEqual(self.element('play').get_attribute('aria-label'), 'Pause')
@@ -101,6 +102,39 @@ class Reading(Page):
         at = self.number()
         self.assertEqual(self.element('play').get_attribute('aria-label'), 'Play')
         self.assertEqual(self.number(), at)
+
+    def test_it_plays_in_the_time_of_the_path(self):
+        self.open('frusta')
+        self.run_script('''
+            const times = [], {setIndex} = page;
+            page.setIndex = function(index) { times.push(performance.now()); setIndex.call(this, index); };
+            page.setIndex(0);
+            page.play(true);
+            window.times = times;''')
+        WebDriverWait(self.driver, 60).until(lambda _: self.run_script('return times.length >= 4'))
+        # Frames are a twentieth of those of the path, which has 30 a second: the third comes after 2 seconds, in its middle after 1.7.
+        first, *times = self.run_script('page.play(false); return times')
+        for i, time in enumerate(times[:3], 1):
+            self.assertGreaterEqual(time - first, 1000 * (20 * i - 10) / 30 - 20)
+
+    def test_it_opens_on_the_frame_that_hides_most_and_the_legend_counts(self):
+        for walk in ('frusta', 'cover', 'undrawn'):
+            self.open(walk)
+            columns, index = self.run_script('return [page.columns, page.index]')
+            hidden = [in_view - drawn for in_view, drawn in zip(columns['in_view'], columns['drawn'])]
+            self.assertEqual(index, hidden.index(max(hidden)))
+            counts = [self.run_script('return document.getElementById(arguments[0]).textContent', f'count-{name}')
+                      for name in ('drawn', 'hidden', 'away', 'wrong')]
+            wrong = f'{columns["drawn"][index] - columns["visible"][index]:,}' if walk != 'undrawn' else ''
+            self.assertEqual(counts, [*(f'{columns[name][index]:,}' for name in ('drawn', 'culled', 'out_of_view')), wrong])
+
+    def test_the_viewer_comes_first_and_fills_the_window(self):
+        self.open('frusta')
+        top, bottom, height = self.run_script('''
+            const {top, bottom} = document.getElementById("picture").getBoundingClientRect();
+            return [top, bottom, innerHeight];''')
+        self.assertLess(top, 0.25 * height)
+        self.assertLess(bottom, height)
 
     def test_the_path_is_saved_as_it_was_walked(self):
         for walk in ('frusta', 'tilted'):
@@ -111,6 +145,7 @@ class Reading(Page):
 
     def test_a_camera_may_be_tilted(self):
         self.open('tilted')
+        self.run_script('page.setIndex(0)')
         self.look(from_outside=False)
         self.assertEqual(self.run_script('return page.viewer.camera.up'), [0, 0, 1])
         upright = self.picture()

@@ -8,6 +8,7 @@ const read = name => readFileSync(new URL(name, import.meta.url), "utf8");
 const wasm = readFileSync(new URL("../dist/occlude.wasm", import.meta.url)).toString("base64");
 const parts = {
   "page.css": read("page.css"),
+  "swatches.css": read("swatches.css"),
   // A script ends where this stands in it.
   "page.js": read("made/page.js").replaceAll("</script", "<\\/script"),
   "occlude.wasm": wasm,

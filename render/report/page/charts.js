@@ -12,6 +12,13 @@ function touches() {
   return {...usual, touchstart: forTwo(usual.touchstart), touchmove: forTwo(usual.touchmove), touchend: forTwo(usual.touchend)};
 }
 
+/** Whether a chart from 0 on would have a whole series in its lowest twentieth, where no one reads a figure. */
+function spansDecades(series) {
+  const most = Math.max(...series.flatMap(s => s.values));
+  const medians = series.map(({values}) => [...values].sort((a, b) => a - b)[values.length >> 1]);
+  return series.every(({values}) => Math.min(...values) > 0) && Math.min(...medians) < most / 20;
+}
+
 class Charts {
   /** Calls onFrame with the index of a frame that is clicked. */
   constructor(onFrame) {
@@ -30,17 +37,19 @@ class Charts {
     const rows = frames.map((frame, i) => [frame, ...series.map(s => s.values[i])]);
     const line = document.createElement('div');
     line.className = 'cursor';
+    const isLog = !stacked && spansDecades(series);
     const chart = new Dygraph(drawing, rows, {
+      logscale: isLog,
       labels: ['frame', ...series.map(s => s.name)],
       colors: series.map(s => s.colour),
       visibility: series.map(s => !hiddenAtFirst.includes(s.name)),
       stackedGraph: stacked,
       fillAlpha: 0.85,
       strokeWidth: stacked ? 0.5 : 1.3,
-      includeZero: true,
+      includeZero: !isLog,
       legend: 'never',
-      axes: {y: {labelsKMB: true}},
-      ylabel: unit,
+      axes: {y: {labelsKMB: unit !== 'ms'}},
+      ylabel: isLog ? `${unit}, log scale` : unit,
       xlabel: 'frame',
       yLabelWidth: 16,
       xLabelHeight: 18,

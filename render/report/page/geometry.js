@@ -1,28 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors, and cameras as matrices. Vectors are arrays of three numbers; matrices have their columns one after another.
-
-const add = (a, b) => a.map((x, i) => x + b[i]);
-const subtract = (a, b) => a.map((x, i) => x - b[i]);
-const scale = (a, s) => a.map(x => x * s);
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const length = a => Math.hypot(...a);
-const unit = a => scale(a, 1 / length(a));
-const distance = (a, b) => length(subtract(a, b));
-
-/** Two unit vectors across `up`, which with it make right-handed axes. */
-function levelAxes(up) {
-  const helper = Math.abs(up[0]) < 0.9 * length(up) ? [1, 0, 0] : [0, 1, 0];
-  const north = unit(subtract(helper, scale(up, dot(helper, up) / dot(up, up))));
-  return {east: north, north: unit(cross(up, north)), up: unit(up)};
-}
-
-/** Right, up and forward of a camera. */
-function axesOf(camera) {
-  const forward = unit(subtract(camera.target, camera.eye));
-  const right = unit(cross(forward, camera.up));
-  return {right, up: cross(right, forward), forward};
-}
+// Cameras as matrices, which have their columns one after another.
 
 /**
  * From coordinates relative to the eye to the picture. A camera has eye, target, up, aspect, near, far and either fov_y_deg or,

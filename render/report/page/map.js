@@ -115,11 +115,11 @@ class PathMap {
     context.moveTo(x, y);
     context.arc(x, y, 60, heading - 0.5, heading + 0.5);
     context.closePath();
-    context.fillStyle = 'rgb(41 98 255 / 35%)';
+    context.fillStyle = 'rgb(91 140 255 / 35%)';
     context.fill();
     context.beginPath();
     context.arc(x, y, 9, 0, 7);
-    context.fillStyle = '#2962ff';
+    context.fillStyle = '#5b8cff';
     context.fill();
     context.lineWidth = 3;
     context.strokeStyle = '#fff';

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the viewer draws with: the model, lines and faces.
+// What the viewer draws with, beside lines: the model, boxes and faces.
+
+/** As depths take it (programs.mjs). */
+const nearOf = camera => camera.projection === 'orthographic' ? 0 : camera.near;
 
 /** A vertex array whose attributes lie in buffers of their own. */
 class Arrays {
@@ -47,15 +50,16 @@ class ModelPainter {
   constructor(gl, model) {
     this.gl = gl;
     this.model = model;
-    this.colours = linkProgram(gl, kModelVertices, kModelColours, ['corner', 'leaf']);
-    this.numbers = linkProgram(gl, kModelVertices, kModelNumbers, ['corner', 'leaf']);
+    this.colours = link(gl, kModelVertices, kModelColours);
+    this.numbers = link(gl, kModelVertices, kModelNumbers);
     this.arrays = new Arrays(gl);
     this.arrays.set(0, model.corners, 3, {type: gl.INT, isWhole: true});
     this.arrays.set(1, model.cornerLeaves, 1, {type: gl.UNSIGNED_INT, isWhole: true});
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    this.fates = new NumberTexture(gl, 0, gl.R16UI, gl.UNSIGNED_SHORT, kFatesWide, new Uint16Array(model.leaves));
+    // Units 0 and 1 have the picture that comes to the screen.
+    this.fates = new NumberTexture(gl, 2, gl.R16UI, gl.UNSIGNED_SHORT, kFatesWide, new Uint16Array(model.leaves));
     this.vain = this.levelsOfVain();
-    this.marks = new NumberTexture(gl, 1, gl.R8UI, gl.UNSIGNED_BYTE, kTrianglesWide, this.vain);
+    this.marks = new NumberTexture(gl, 3, gl.R8UI, gl.UNSIGNED_BYTE, kTrianglesWide, this.vain);
   }
   /** Of each triangle 2 times how often its polygon was drawn in vain, in 127 steps of the logarithm. */
   levelsOfVain() {
@@ -75,15 +79,12 @@ class ModelPainter {
     const gl = this.gl;
     gl.useProgram(program);
     gl.bindVertexArray(this.arrays.array);
-    gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
+    gl.uniformMatrix4fv(uniforms.projection, false, projection(camera));
     const onGrid = camera.eye.map((c, axis) => (c - this.model.low[axis]) / this.model.step), cell = onGrid.map(Math.floor);
     gl.uniform3iv(uniforms.eyeCell, cell);
     gl.uniform3fv(uniforms.eyeRest, subtract(onGrid, cell));
     gl.uniform1f(uniforms.step, this.model.step);
-    gl.uniform3fv(uniforms.forward ?? null, axesOf(camera).forward);
-    gl.uniform1f(uniforms.near ?? null, camera.near);
-    gl.uniform1f(uniforms.far ?? null, camera.far);
-    gl.uniform1i(uniforms.isPerspective ?? null, camera.projection !== 'orthographic');
+    gl.uniform1f(uniforms.near, nearOf(camera));
     gl.uniform1i(uniforms.showsDrawn, shown.drawn);
     gl.uniform1i(uniforms.showsOutOfView, shown.outOfView);
     gl.uniform1i(uniforms.showsHidden, shown.hidden);
@@ -123,33 +124,11 @@ class ModelPainter {
   }
 }
 
-/** Straight lines of some pixels' width: {from, to, colour}. */
-class LinePainter {
-  constructor(gl) {
-    this.gl = gl;
-    this.lines = linkProgram(gl, kLineVertices, kPaint, ['from', 'to', 'paint']);
-    this.arrays = new Arrays(gl);
-  }
-  draw(lines, camera, wide) {
-    const gl = this.gl, {program, uniforms} = this.lines;
-    if (lines.length === 0) return;
-    gl.useProgram(program);
-    const relative = key => new Float32Array(lines.flatMap(line => subtract(line[key], camera.eye)));
-    this.arrays.set(0, relative('from'), 3, {everyInstance: 1});
-    this.arrays.set(1, relative('to'), 3, {everyInstance: 1});
-    this.arrays.set(2, new Float32Array(lines.flatMap(line => line.colour)), 4, {everyInstance: 1});
-    gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
-    gl.uniform2f(uniforms.pixels, gl.drawingBufferWidth, gl.drawingBufferHeight);
-    gl.uniform1f(uniforms.wide, wide);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.length);
-  }
-}
-
 /** The edges of boxes: {low, high, colour}. */
 class BoxPainter {
   constructor(gl) {
     this.gl = gl;
-    this.boxes = linkProgram(gl, kBoxVertices, kPaint, ['low', 'high', 'paint']);
+    this.boxes = link(gl, kBoxVertices, kPaint);
     this.arrays = new Arrays(gl);
   }
   draw(boxes, camera) {
@@ -164,7 +143,8 @@ class BoxPainter {
     const colours = new Float32Array(4 * boxes.length);
     boxes.forEach((box, i) => colours.set(box.colour, 4 * i));
     this.arrays.set(2, colours, 4, {everyInstance: 1});
-    gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
+    gl.uniformMatrix4fv(uniforms.projection, false, projection(camera));
+    gl.uniform1f(uniforms.near, nearOf(camera));
     gl.drawArraysInstanced(gl.LINES, 0, 2 * kEdges, boxes.length);
   }
 }
@@ -173,7 +153,7 @@ class BoxPainter {
 class FacePainter {
   constructor(gl) {
     this.gl = gl;
-    this.faces = linkProgram(gl, kFaceVertices, kPaint, ['corner', 'paint']);
+    this.faces = link(gl, kFaceVertices, kPaint);
     this.arrays = new Arrays(gl);
   }
   draw(faces, camera) {
@@ -183,7 +163,8 @@ class FacePainter {
     const corners = faces.flatMap(face => face.corners.flatMap(corner => subtract(corner, camera.eye)));
     this.arrays.set(0, new Float32Array(corners), 3);
     this.arrays.set(1, new Float32Array(faces.flatMap(face => face.corners.flatMap(() => face.colour))), 4);
-    gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
+    gl.uniformMatrix4fv(uniforms.projection, false, projection(camera));
+    gl.uniform1f(uniforms.near, nearOf(camera));
     gl.drawArrays(gl.TRIANGLES, 0, 3 * faces.length);
   }
 }

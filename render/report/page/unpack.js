@@ -1,58 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads what the page holds of a walk: parts in base64 and deflated, as render/report/src/page_model.h, page_frames.h and
-// bytes.h write them.
-
-/** The bytes of a part of the page. */
-async function bytesOfPart(name) {
-  const letters = atob(document.getElementById(`part-${name}`).textContent);
-  const bytes = new Uint8Array(letters.length);
-  for (let i = 0; i < bytes.length; ++i) bytes[i] = letters.charCodeAt(i);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-async function jsonOfPart(name) {
-  return JSON.parse(new TextDecoder().decode(await bytesOfPart(name)));
-}
-
-/** Whole numbers, one after another. */
-class Numbers {
-  constructor(bytes, at = 0) {
-    this.bytes = bytes;
-    this.at = at;
-  }
-  next() {
-    let value = 0, unit = 1, byte;
-    do {
-      byte = this.bytes[this.at++];
-      value += (byte & 0x7f) * unit;
-      unit *= 128;
-    } while (byte & 0x80);
-    return value;
-  }
-  difference() {
-    const folded = this.next();
-    return folded % 2 ? -(folded + 1) / 2 : folded / 2;
-  }
-  get isAtEnd() {
-    return this.at >= this.bytes.length;
-  }
-}
-
-/** The points of the grid: x, y and z of each vertex. */
-function unpackVertices(bytes) {
-  const kBytes = 4, count = bytes.length / (3 * kBytes);
-  const points = new Int32Array(3 * count);
-  for (let axis = 0; axis < 3; ++axis) {
-    let at = kBytes * axis * count, value = 0;
-    for (let v = 0; v < count; ++v, ++at) {
-      const folded = bytes[at] | bytes[at + count] << 8 | bytes[at + 2 * count] << 16 | bytes[at + 3 * count] << 24;
-      value += folded & 1 ? ~(folded >>> 1) : folded >>> 1;
-      points[3 * v + axis] = value;
-    }
-  }
-  return points;
-}
+// A walk as parts of the page have it: as page_model.h and page_frames.h of render/report/src write them.
 
 /** first[i] is the sum of the numbers before the i-th; the last element is the sum of all. */
 function runningSums(bytes, of = n => n) {

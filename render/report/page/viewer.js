@@ -3,17 +3,15 @@
 
 /** Colours of hiders, by their number modulo 8: neighbours differ in lightness. */
 const kHiderColours = ['#5b2a86', '#f0a58f', '#0b5d57', '#b9a6e8', '#7a3b12', '#79c6ee', '#a3195b', '#b5d8a0'];
-const kOccluderColour = '#ffc400', kPickedColour = '#e600c8', kFrustumColour = '#2962ff', kCoverColour = '#6f57b5',
-      kMissedColour = '#f08a3c', kRegionColour = '#d81b60';
-
-const rgb = colour => [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16) / 255);
+const kPickedColour = '#e600c8', kRegionColour = '#d81b60';
 
 /** The colour of a hider. */
 const hiderColour = number => kHiderColours[number % kHiderColours.length];
 
 /** Of boxes. */
 const kDrawnBoxColour = '#8a5a2b', kOutOfViewColour = '#9aa3af';
-const colourOfFate = fate => fate === Fate.outOfView ? kOutOfViewColour : fate === Fate.covered ? kCoverColour : hiderColour(fate - Fate.hidden);
+const colourOfFate = fate =>
+    fate === Fate.covered ? hiddenColour : rgb(fate === Fate.outOfView ? kOutOfViewColour : hiderColour(fate - Fate.hidden));
 
 /** What was drawn in vain, from rarely to often: the more, the darker. */
 const kHeat = ['#fde8a9', '#f9a85d', '#e0533d', '#992766', '#3b0f70'];
@@ -45,17 +43,18 @@ class Viewer {
     this.gl = contextOf(canvas);
     if (!this.gl) throw new Error('this browser has no WebGL2.');
     this.models = new ModelPainter(this.gl, model);
-    this.lines = new LinePainter(this.gl);
+    this.targets = new Targets(this.gl);
+    this.screen = new Screen(this.gl);
+    this.lines = new Lines(this.gl);
     this.faces = new FacePainter(this.gl);
     this.boxes = new BoxPainter(this.gl);
     this.high = model.point(model.steps);
     this.size = distance(model.low, this.high);
     this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true, region: true, cut: true, boxes: false, vain: false};
     this.isOutside = true;
-    this.isFollowing = true;  // until somebody moves the camera outside
     this.picked = null;
-    canvas.style.aspectRatio = lens.aspect;
-    this.orbit = null;
+    canvas.style.setProperty('--aspect', lens.aspect);
+    this.orbit = new Orbit();
     new ResizeObserver(() => this.invalidate()).observe(canvas);
   }
 
@@ -70,7 +69,7 @@ class Viewer {
     const isNear = before && distance(before.eye, eye) < 0.1 * this.depth;
     this.depth = isNear ? this.depth + 0.15 * (depth - this.depth) : depth;  // no jumps from frame to frame
     this.models.fates.set(frame.fates);
-    if (!this.orbit || this.isFollowing) this.orbit = this.behind();
+    if (this.orbit.isFollowing) this.goBehind();
     this.isSeenKnown = false;
     clearTimeout(this.seeing);
     this.seeing = setTimeout(() => this.see(), 150);  // once the frame stays
@@ -111,13 +110,16 @@ class Viewer {
 
   /** The whole model from straight above, a rectangle of this `size` around `middle`, in so many pixels: for a map. */
   drawMap(middle, size, pixels, background) {
+    const gl = this.gl, target = this.targets.of('map', ...pixels);
     [this.canvas.width, this.canvas.height] = pixels;
     const {up, north} = levelAxes(this.lens.up);
     const eye = add(middle, scale(up, this.size));
     this.models.fates.set(new Uint16Array(this.model.leaves));
-    this.begin(background);
+    this.begin(target, background);
     this.paintModel({projection: 'orthographic', height: size[1], aspect: size[0] / size[1], near: this.size / 100, far: 3 * this.size,
                      eye, target: middle, up: north}, {drawn: true});
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    gl.blitFramebuffer(0, 0, ...pixels, 0, 0, ...pixels, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     this.models.fates.set(this.frame.fates);
     this.invalidate();
   }
@@ -130,29 +132,18 @@ class Viewer {
     return number === 0 ? null : this.model.polygonOf(number - 1);
   }
 
-  /** A camera outside starts behind and above that of the frame. */
-  behind() {
-    const {east, north, up} = levelAxes(this.lens.up);
-    const {forward} = axesOf(this.camera);
-    return {
-      yaw: Math.atan2(-dot(forward, north), -dot(forward, east)),
-      pitch: 0.75,
-      distance: 1.5 * this.depth,
-      centre: scale(subtract(forward, scale(up, dot(forward, up))), 0.42 * this.depth),  // from the eye of the frame
-    };
+  /** The camera outside is behind and above that of the frame, until somebody moves it. */
+  goBehind() {
+    this.orbit.restart(1.5 * this.depth);
+    this.orbit.follow({...this.camera, up: this.lens.up}, 1);
   }
 
   // The rest is how.
 
   /** The camera outside. */
   outside() {
-    const {east, north, up} = levelAxes(this.lens.up);
-    const {yaw, pitch, distance: away, centre} = this.orbit;
-    const target = add(this.camera.eye, centre);
-    const level = add(scale(east, Math.cos(yaw)), scale(north, Math.sin(yaw)));
-    const eye = add(target, scale(add(scale(level, Math.cos(pitch)), scale(up, Math.sin(pitch))), away));
-    return {projection: 'perspective', fov_y_deg: 50, aspect: this.lens.aspect, up, eye, target,
-            near: away / 200, far: away + this.farthest(target)};
+    const {fovY, ...camera} = this.orbit.camera({...this.camera, up: this.lens.up}, this.lens.aspect);
+    return {...camera, projection: 'perspective', fov_y_deg: fovY, far: this.orbit.distance + this.farthest(camera.target)};
   }
 
   farthest(point) {
@@ -188,14 +179,16 @@ class Viewer {
     return {up: unit(this.lens.up), height: shown.cut ? above : 1e30};
   }
 
-  begin(background) {
+  begin({buffer, width, height}, background) {
     const gl = this.gl;
-    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, buffer);
+    gl.viewport(0, 0, width, height);
     gl.clearColor(...background, 1);
+    gl.clearDepth(0);
     gl.depthMask(true);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.LESS);
+    gl.depthFunc(gl.GREATER);
     gl.disable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
@@ -204,10 +197,10 @@ class Viewer {
     const gl = this.gl, isDark = matchMedia('(prefers-color-scheme: dark)').matches;
     this.models.use(this.models.colours, camera, shown, this.ceiling(camera, shown));
     const {uniforms} = this.models.colours;
-    gl.uniform3fv(uniforms.pale, isDark ? [0.3, 0.33, 0.37] : [0.88, 0.89, 0.91]);
-    gl.uniform3fv(uniforms.cover, rgb(kCoverColour));
+    gl.uniform3fv(uniforms.pale, isDark ? pale.dark : pale.light);
+    gl.uniform3fv(uniforms.cover, hiddenColour);
     gl.uniform3fv(uniforms.hiders, kHiderColours.flatMap(rgb));
-    gl.uniform3fv(uniforms.missed, rgb(kMissedColour));
+    gl.uniform3fv(uniforms.missed, wrongColour);
     gl.uniform3fv(uniforms.heat, kHeat.flatMap(rgb));
     gl.uniform1i(uniforms.showsVain, Boolean(shown.vain));
     gl.uniform1i(uniforms.marksMissed, Boolean(shown.missed && this.isSeenKnown));
@@ -217,21 +210,25 @@ class Viewer {
   }
 
   paint(camera) {
-    const gl = this.gl, isDark = matchMedia('(prefers-color-scheme: dark)').matches;
-    this.begin(isDark ? [0.07, 0.09, 0.12] : [0.93, 0.95, 0.97]);
+    const gl = this.gl, isDark = matchMedia('(prefers-color-scheme: dark)').matches, {width, height} = this.canvas;
+    const target = this.targets.of('colours', width, height);
+    this.begin(target, isDark ? haze.dark : haze.light);  // edges before the sky are mixed with that
     this.paintModel(camera, this.shown());
-    gl.depthFunc(gl.LEQUAL);
+    gl.depthFunc(gl.GEQUAL);
     if (this.layers.occluders) {
-      for (const {outline} of this.frame.occluders) this.models.drawPolygons(outline.polygons, rgb(kOccluderColour), 0.6);
+      for (const {outline} of this.frame.occluders) this.models.drawPolygons(outline.polygons, occluderColour, 0.6);
     }
     if (this.picked !== null) this.models.drawPolygons([this.picked], rgb(kPickedColour), 0.85);
     gl.enable(gl.BLEND);
     gl.depthMask(false);
     if (this.isOutside && this.layers.shadows) this.faces.draw(this.shadowFaces(), camera);
     const ratio = this.canvas.width / this.canvas.clientWidth;
-    this.lines.draw(this.outlines(), camera, 1.6 * ratio);
+    const near = nearOf(camera);
+    this.lines.draw(this.outlines(), {eye: camera.eye, near, projection: projection(camera)}, [width, height], 1.6 * ratio);
     if (this.isOutside && this.layers.boxes) this.boxes.draw(this.treeBoxes(), camera);
     gl.depthMask(true);
+    gl.disable(gl.BLEND);
+    this.screen.show(target, [0, 0], {near, shadeRadius: 0.6 * metreOf(this.size), isDark});
   }
 
   /** Where an edge of a shadow ends. */
@@ -259,24 +256,24 @@ class Viewer {
 
   outlines() {
     const lines = [];
-    const add = (from, to, colour, alpha = 1) => lines.push({from, to, colour: [...rgb(colour), alpha]});
+    const add = (from, to, colour, alpha) => lines.push({from, to, colour, alpha});
     if (this.isOutside && this.layers.frustum) {
       const near = pictureCorners(this.camera, this.lens.projection === 'orthographic' ? 0 : this.camera.near);
       const far = pictureCorners(this.camera, this.depth);
       near.forEach((corner, i) => {
-        add(corner, far[i], kFrustumColour);
-        add(far[i], far[(i + 1) % 4], kFrustumColour);
+        add(corner, far[i], frustumColour);
+        add(far[i], far[(i + 1) % 4], frustumColour);
       });
     }
     if (this.isOutside && this.layers.region && this.region) {
-      for (const [from, to] of edgesOf(this.region)) add(from, to, kRegionColour);
+      for (const [from, to] of edgesOf(this.region)) add(from, to, rgb(kRegionColour));
     }
     for (const occluder of this.frame.occluders) {
       const {points} = occluder.outline;
-      if (this.layers.occluders) points.forEach((corner, i) => add(corner, points[(i + 1) % points.length], kOccluderColour));
+      if (this.layers.occluders) points.forEach((corner, i) => add(corner, points[(i + 1) % points.length], occluderColour));
       if (!this.isOutside || !this.layers.shadows) continue;
       const colour = this.colourOf(occluder);
-      for (const corner of points) add(corner, this.beyond(corner), colour ?? '#808080', colour ? 0.9 : 0.4);
+      for (const corner of points) add(corner, this.beyond(corner), rgb(colour ?? '#808080'), colour ? 0.9 : 0.4);
     }
     return lines;
   }
@@ -286,12 +283,12 @@ class Viewer {
     const boxes = [], {fates, culled} = this.frame;
     const add = (first, end, colour) => {
       const box = this.model.boxOf(first, end);
-      if (box) boxes.push({low: box[0], high: box[1], colour: [...rgb(colour), 0.8]});
+      if (box) boxes.push({low: box[0], high: box[1], colour: [...colour, 0.8]});
     };
     for (const {fate, first, end} of culled) {
       if (fate === Fate.outOfView ? this.layers.outOfView : this.layers.hidden) add(first, end, colourOfFate(fate));
     }
-    if (this.layers.drawn) fates.forEach((fate, leaf) => fate === Fate.drawn && add(leaf, leaf + 1, kDrawnBoxColour));
+    if (this.layers.drawn) fates.forEach((fate, leaf) => fate === Fate.drawn && add(leaf, leaf + 1, rgb(kDrawnBoxColour)));
     return boxes;
   }
 

@@ -2,7 +2,9 @@
 // The page of a walk: one frame cursor, which the charts, the map, the tables and the viewer share.
 
 const byId = id => document.getElementById(id);
-const kColours = {before: '#8a94a3', after: '#2f7fe0', culling: '#d9822b', visible: '#0f8291', culled: '#7a5bc0', outOfView: '#c5ccd6'};
+const kColours = {before: '#8a94a3', after: '#2f7fe0', culling: '#d9822b', visible: '#0f8291', culled: '#6f57b5', outOfView: '#c5ccd6'};
+
+const kFramesASecond = 30;
 
 /** Of what was drawn in vain, by the reason: neighbours in the stack differ in lightness. */
 const kReasonColours = ['#f9cbb0', '#b8461a', '#f2a177', '#7d2b0c', '#e8743b', '#4a1a08', '#c9bfb9'];
@@ -19,7 +21,8 @@ class WalkPage {
     this.charts = new Charts(index => this.setIndex(index));
     this.fillTables();
     this.listen();
-    this.setIndex(this.indexOfAddress() ?? 0);
+    this.first = this.indexOfHidingMost();
+    this.setIndex(this.indexOfAddress() ?? this.first);
   }
 
   /** Takes as long as unpacking the model, and comes after the first picture. */
@@ -94,6 +97,7 @@ class WalkPage {
     byId('number').textContent = frame;
     this.charts.setCursor(this.index);
     byId('told').textContent = this.account(this.index);
+    this.tellCounts(this.index);
     this.showFrame();
   }
 
@@ -107,6 +111,20 @@ class WalkPage {
     this.tellPicked();
     this.fillHiders();
     byId('picture').setAttribute('aria-label', `${this.viewer.isOutside ? 'From outside' : 'View of the camera'}: ${this.account(at)}`);
+  }
+
+  /** The frame on which the page opens: that with the most polygons in view which it did not draw. */
+  indexOfHidingMost() {
+    const {in_view: inView, drawn} = this.columns, hidden = inView.map((n, i) => n - drawn[i]);
+    return hidden.indexOf(Math.max(...hidden));
+  }
+
+  /** The legend of a frame. */
+  tellCounts(i) {
+    const c = this.columns, wrong = this.walk.rendered ? c.drawn[i] - c.visible[i] : undefined;
+    for (const [name, count] of Object.entries({drawn: c.drawn[i], hidden: c.culled[i], away: c.out_of_view[i], wrong})) {
+      byId(`count-${name}`).textContent = count === undefined ? '' : grouped(count);
+    }
   }
 
   /** Of the polygons in view. */
@@ -254,17 +272,27 @@ class WalkPage {
   }
 
   play(isPlaying) {
-    clearInterval(this.timer);
-    this.timer = isPlaying ? setInterval(() => this.setIndex((this.index + 1) % this.count), 1000 / 30) : undefined;
+    this.isPlaying = isPlaying;
+    if (isPlaying) this.playFrom(this.columns.frame[this.index], performance.now());
     byId('told').setAttribute('aria-live', isPlaying ? 'off' : 'polite');
     byId('play').textContent = isPlaying ? '❚❚' : '▶';
     byId('play').setAttribute('aria-label', isPlaying ? 'Pause' : 'Play');
   }
 
+  /** In the path's own time, whichever of its frames are here: from `start`, a time of the browser's, on. */
+  playFrom(frame, start) {
+    if (!this.isPlaying) return;
+    const {frame: frames} = this.columns, first = frames[0], span = frames.at(-1) - first + 1;
+    const now = first + (frame - first + kFramesASecond * (performance.now() - start) / 1000) % span;
+    const index = nearestIndex(frames, now);
+    if (index !== this.index) this.setIndex(index);
+    requestAnimationFrame(() => this.playFrom(frame, start));
+  }
+
   /** The address names the frame at which the cursor rests, so that it can be passed on. */
   nameInAddress() {
     clearTimeout(this.naming);
-    if (this.index === this.indexOfAddress() || (this.index === 0 && !location.hash)) return;
+    if (this.index === this.indexOfAddress() || (this.index === this.first && !location.hash)) return;
     this.naming = setTimeout(() => this.nameNow(), 300);
   }
 
@@ -281,14 +309,14 @@ class WalkPage {
   listen() {
     byId('slider').max = this.count - 1;
     byId('slider').addEventListener('input', event => this.setIndex(Number(event.target.value)));
-    byId('play').addEventListener('click', () => this.play(this.timer === undefined));
+    byId('play').addEventListener('click', () => this.play(!this.isPlaying));
     byId('eye').addEventListener('click', () => this.setOutside(false));
     byId('outside').addEventListener('click', () => this.setOutside(true));
     byId('behind').addEventListener('click', () => {
-      this.viewer.isFollowing = true;
-      this.showFrame();
+      this.viewer.goBehind();
+      this.viewer.invalidate();
     });
-    byId('save').addEventListener('click', async () => saveFile('path.json', new TextDecoder().decode(await bytesOfPart('way'))));
+    byId('save').addEventListener('click', async () => save('path.json', new TextDecoder().decode(await bytesOfPart('way'))));
     for (const box of document.querySelectorAll('input[data-layer]')) {
       box.addEventListener('change', () => {
         this.viewer.layers[box.dataset.layer] = box.checked;
@@ -311,7 +339,7 @@ class WalkPage {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const step = event.shiftKey ? 10 : 1;
     const actions = {ArrowLeft: () => this.setIndex(this.index - step), ArrowRight: () => this.setIndex(this.index + step),
-                     Home: () => this.setIndex(0), End: () => this.setIndex(this.count - 1), ' ': () => this.play(this.timer === undefined)};
+                     Home: () => this.setIndex(0), End: () => this.setIndex(this.count - 1), ' ': () => this.play(!this.isPlaying)};
     const action = actions[event.key];
     const ownsKey = event.key === ' ' ? event.target.closest('button, summary, a, input[type=checkbox]') : event.target.closest('input');
     if (!action || ownsKey || (['Home', 'End'].includes(event.key) && event.target === document.body)) return;

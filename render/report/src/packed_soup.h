@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A model to the last bit, as bytes that compress well: what the culler in a page is made of.
+// A model in single precision, as bytes that compress well: what the page of `inspect` draws and culls.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <string>
-#include <string_view>
 
 #include "occlude/culler/polygon_soup.h"
 
 namespace occlude::render {
 
-/// packed_soup.cpp has the format.
-[[nodiscard]] std::string packed(culler::SoupView soup);
+struct PackedSoup {
+  glm::dvec3 origin{};  ///< of the coordinates; 0 for a model that is about 0
+  std::string bytes;    ///< packed_soup.cpp has the format
+};
 
-/// The same soup, vertex by vertex. Throws std::invalid_argument for bytes that are not of a soup.
-[[nodiscard]] culler::PolygonSoup unpacked(std::string_view bytes);
+[[nodiscard]] PackedSoup packed(culler::SoupView soup);
 
 }  // namespace occlude::render

@@ -22,6 +22,8 @@ export interface Address {
   /** Where a model lies. */
   readonly model?: string | undefined;
   readonly place?: Place | undefined;
+  /** The number of a place of the flight. */
+  readonly frame?: number | undefined;
   /** Of the frame before. */
   readonly before?: Place | undefined;
   readonly settings: Settings;
@@ -34,6 +36,7 @@ export function parse(hash: string): Address {
     scene: named.get("scene") ?? undefined,
     model: named.get("model") ?? undefined,
     place: placeOf(named.get("eye"), named.get("target")),
+    frame: named.has("frame") ? Number(named.get("frame")) : undefined,
     before: placeOf(named.get("eye0"), named.get("target0")),
     settings: {
       method: named.get("method") === "objects" ? "objects" : defaults.method,

@@ -2,20 +2,22 @@
 // What the page shows, and how it goes on from frame to frame.
 import type {Occlude} from "occlude";
 
-import {format, type Address, type Settings} from "./address.mjs";
-import {axesOf, halfSizeOf, type Camera, type Place} from "./camera.mjs";
-import {frustumColour, lieColour, pickedColour} from "./colours.mjs";
+import {format, type Settings} from "./address.mjs";
+import {axesOf, levelAxes} from "./axes.mjs";
+import {halfSizeOf, moved, type Camera, type Place} from "./camera.mjs";
+import {frustumColour, wrongColour, occluderColour} from "./colours.mjs";
 import {Culling} from "./culling.mjs";
 import {everythingIn, type Frame} from "./frame.mjs";
 import {placeOf} from "./flight.mjs";
 import {Judge, type Catch, type Scores} from "./judge.mjs";
 import {viewsOf, type Views} from "./layout.mjs";
-import {cornerOf, isSeeThrough, objectCount, triangleCount, type Model} from "./model.mjs";
-import {Outside} from "./outside.mjs";
-import {Painter, type Line, type Look, type Viewport} from "./painter.mjs";
+import type {ColouredLine} from "./lines.mjs";
+import {metreOf} from "./metre.mjs";
+import {cornerOf, isSeeThrough, objectCount, triangleCount, type Flight, type Model} from "./model.mjs";
+import {Orbit} from "./orbit.mjs";
+import {Painter, type Look, type Viewport} from "./painter.mjs";
 import {kRate, Recorder} from "./path.mjs";
-import {add, dot, scale, type Point} from "./points.mjs";
-import {crosses} from "./proof.mjs";
+import {add, dot, scale} from "./points.mjs";
 import {Walker} from "./walker.mjs";
 import {Asker, type Answer} from "./why.mjs";
 
@@ -25,7 +27,6 @@ export interface Source {
   readonly model?: string;
 }
 
-const kFovY = 60;
 /** Seconds: after a pause nobody jumps. */
 const kLongestStep = 0.1;
 /** The picture that judges look at is no wider. */
@@ -52,7 +53,7 @@ export class App {
   readonly canvas: HTMLCanvasElement;
   readonly painter: Painter;
   readonly walker = new Walker();
-  readonly outside = new Outside();
+  readonly outside = new Orbit();
   readonly recorder = new Recorder();
   readonly shows = {outside: true, hidden: true, outOfView: true, cut: false};
   settings: Settings;
@@ -93,7 +94,7 @@ export class App {
     this.views = viewsOf(canvas, true);
   }
 
-  /** Paints a model as it is, and prepares its culler after that. Begins where `place` is, or flies. */
+  /** Paints a model as it is, and prepares its culler after that. Begins where `place` is in the file, or flies. */
   async open(model: Model, source: Source, place?: Place): Promise<void> {
     this.#culling?.dispose();
     this.#asker?.dispose();
@@ -106,10 +107,10 @@ export class App {
     this.walker.up = model.up;
     this.walker.speed = 3 * this.unit * this.pace;
     this.share = 0;
-    this.walker.place = place ?? placeOf(model.flight, 0);
+    this.walker.place = place ? this.#placeIn(place) : placeOf(model.flight, 0);
     this.setFlying(place === undefined);
-    this.outside.restart(Math.min(0.6 * model.box.size, 90 * this.unit));
-    this.shows.cut = isRoofed(model, this.walker.place.eye, this.unit);
+    this.outside.restart(Math.min(0.6 * model.box.size, 60 * this.unit + 0.12 * model.box.size));
+    this.shows.cut = this.#isMostlyRoofed(place ? [this.walker.place] : samplesOf(model.flight));
     this.forget();
     this.#step(0);
     await new Promise(resolve => setTimeout(resolve));
@@ -118,10 +119,8 @@ export class App {
     this.wake();
   }
 
-  /** A metre, or what stands for it where the model is not as large as what one walks through. */
   get unit(): number {
-    const {size} = this.model.box;
-    return size >= 3 && size <= 100000 ? 1 : size / 100;
+    return metreOf(this.model.box.size);
   }
 
   setMethod(method: Settings["method"]): void {
@@ -163,7 +162,7 @@ export class App {
 
   get camera(): Camera {
     const {width, height} = this.views.eye;
-    return {...this.walker.place, up: this.model.up, fovY: kFovY, aspect: width / height, near: 0.1 * this.unit};
+    return {...this.walker.place, ...this.model.lens, up: this.model.up, aspect: width / height};
   }
 
   get margin(): number {
@@ -185,26 +184,33 @@ export class App {
       return undefined;
     }
     this.recorder.isOn = false;
-    return this.recorder.text(this.model.name, kFovY, this.camera.near, this.model.up);
+    return this.recorder.text(this.model);
   }
 
   /** The address of what is shown. */
-  address(before?: Place): string {
-    const {scene, model} = this.source, {eye, target} = this.walker.place;
-    return format({scene, model, place: this.isFlying ? undefined : {eye, target}, before, settings: this.settings});
+  address(): string {
+    const place = this.isFlying ? undefined : this.#placeInFile(this.walker.place);
+    return format({...this.source, place, settings: this.settings});
   }
   addressOf({camera, before}: Catch): string {
-    const address: Address = {...this.source, place: camera, before, settings: {...this.settings, isCatching: true}};
-    return format(address);
+    const [place, placeBefore] = [camera, before].map(of => of && this.#placeInFile(of));
+    return format({...this.source, place, before: placeBefore, settings: {...this.settings, isCatching: true}});
   }
 
-  /** Culls and judges the frames of two places, the second after the first; what is caught in the second is shown. */
+  #placeIn(place: Place): Place {
+    return moved(place, scale(this.model.origin, -1));
+  }
+  #placeInFile(place: Place): Place {
+    return moved(place, this.model.origin);
+  }
+
+  /** Culls and judges the frames of two places of the file, the second after the first; what is caught in the second is shown. */
   confront(place: Place, before: Place | undefined, scores: Scores): readonly Catch[] {
     this.#judge.restart();
     for (const [of, isLast] of [[before, false], [place, true]] as const) {
       if (of === undefined) continue;
       this.#clock += 1 / kRate;
-      this.walker.place = of;
+      this.walker.place = this.#placeIn(of);
       const caught = this.#cullAndJudge(scores);
       if (isLast) return caught;
     }
@@ -263,6 +269,17 @@ export class App {
     return {view, camera, at: [px - view.x, py - view.y]};
   }
 
+  /** Whether so many of these places are under something opaque that the view from outside is best cut open. */
+  #isMostlyRoofed(places: readonly Place[]): boolean {
+    const {up} = this.model, {east} = levelAxes(up);
+    const isRoofed = ({eye}: Place): boolean => {
+      const above: Camera = {eye, target: add(eye, up), up: east, fovY: 1, aspect: 1, near: this.model.lens.near};
+      const triangle = this.painter.triangleAt(above, [0, 0], {x: 0, y: 0, width: 1, height: 1}, Infinity);
+      return triangle !== undefined && !isSeeThrough(this.model, triangle);
+    };
+    return places.filter(isRoofed).length > kShareOfRoofs * places.length;
+  }
+
   #prepare(): void {
     this.#culling?.dispose();
     this.#culling = new Culling(this.#occlude, this.model, this.settings.method);
@@ -286,7 +303,7 @@ export class App {
     const passed = isJudging && this.isFlying ? 1 / kRate : seconds;
     const isMoving = this.isFlying ? this.#fly(passed) : this.walker.advance(passed);
     this.#clock += passed;
-    this.recorder.record(this.walker.place, this.#clock - this.#recordedFrom);
+    this.recorder.record(this.#placeInFile(this.walker.place), this.#clock - this.#recordedFrom);
     if (isJudging && isMoving) this.#listener.onCatch(this, this.#cullAndJudge(this.scores!));
     else this.#cull();
     this.outside.follow(this.camera, Math.min(1, 2.5 * seconds));
@@ -320,7 +337,7 @@ export class App {
 
   #paint(): void {
     const {eye, outside} = this.views;
-    const ray = this.#caught ? [{from: this.#caught.proof.from, to: this.#caught.proof.to, colour: lieColour, isThrough: true}] : [];
+    const ray = this.#caught ? [{from: this.#caught.proof.from, to: this.#caught.proof.to, colour: wrongColour}] : [];
     this.painter.paint(eye, this.camera, this.#lookOf(this.frame, false, []));
     if (outside) {
       this.#tellFates();
@@ -335,7 +352,7 @@ export class App {
   #paintLens(caught: Catch): void {
     const {x, y, width, height} = this.lens, half = width / 2;
     const pixels = lensPixelsOf(caught) / this.views.eye.height;
-    const camera = {...caught.camera, target: caught.proof.to, fovY: kFovY * pixels, aspect: half / height};
+    const camera = {...caught.camera, target: caught.proof.to, fovY: this.model.lens.fovY * pixels, aspect: half / height};
     const look = this.#lookOf(undefined, false, []);
     this.painter.paint({x, y, width: half, height}, camera, look);
     this.painter.paint({x: x + half, y, width: half, height}, camera, {...look, frame: this.#lie ?? this.frame});
@@ -350,7 +367,7 @@ export class App {
     return {x: eye.x + eye.width - width - 12 * ratio, y: eye.y + above, width, height};
   }
 
-  #lookOf(frame: Frame | undefined, showsFates: boolean, lines: readonly Line[]): Look {
+  #lookOf(frame: Frame | undefined, showsFates: boolean, lines: readonly ColouredLine[]): Look {
     const {hidden, outOfView} = this.shows;
     const isDark = !matchMedia("(prefers-color-scheme: light)").matches;
     const showsClay = this.settings.isClay || !this.model.isColoured;
@@ -361,10 +378,10 @@ export class App {
   #marked(): Look["marked"] {
     if (this.#caught) {
       const {object} = this.#caught, {firsts} = this.model;
-      return {first: firsts[object]!, end: firsts[object + 1]!, colour: lieColour};
+      return {first: firsts[object]!, end: firsts[object + 1]!, colour: wrongColour};
     }
     const picked = this.#answer?.triangle;
-    return picked === undefined ? undefined : {first: picked, end: picked + 1, colour: pickedColour};
+    return picked === undefined ? undefined : {first: picked, end: picked + 1, colour: occluderColour};
   }
 
   #tellFates(): void {
@@ -385,17 +402,17 @@ export class App {
   }
 
   /** What the camera sees, and the edges of what hides what was picked. */
-  #frustum(): Line[] {
+  #frustum(): ColouredLine[] {
     const {camera} = this, {right, up, forward} = axesOf(camera), [wide, high] = halfSizeOf(camera);
     const far = Math.min(0.25 * this.model.box.size, 35 * this.unit);
     const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) =>
       add(camera.eye, scale(add(forward, add(scale(right, x! * wide), scale(up, y! * high))), far)));
-    const view = corners.flatMap((corner, i): Line[] => [
-      {from: camera.eye, to: corner, colour: frustumColour, isThrough: true},
-      {from: corner, to: corners[(i + 1) % 4]!, colour: frustumColour, isThrough: true},
+    const view = corners.flatMap((corner, i): ColouredLine[] => [
+      {from: camera.eye, to: corner, colour: frustumColour},
+      {from: corner, to: corners[(i + 1) % 4]!, colour: frustumColour},
     ]);
-    const edges = (this.#answer?.hiders ?? []).slice(0, 400).flatMap(triangle => [0, 1, 2].map((i): Line => ({
-      from: cornerOf(this.model, triangle, i), to: cornerOf(this.model, triangle, (i + 1) % 3), colour: pickedColour, isThrough: true,
+    const edges = (this.#answer?.hiders ?? []).slice(0, 400).flatMap(triangle => [0, 1, 2].map((i): ColouredLine => ({
+      from: cornerOf(this.model, triangle, i), to: cornerOf(this.model, triangle, (i + 1) % 3), colour: occluderColour,
     })));
     return [...view, ...edges];
   }
@@ -410,15 +427,10 @@ export function median(numbers: readonly number[]): number {
   return [...numbers].sort((a, b) => a - b)[numbers.length >> 1] ?? NaN;
 }
 
-/** Whether something opaque is above the eye: then the view from outside is cut open. */
-function isRoofed(model: Model, eye: Point, metre: number): boolean {
-  const above = add(eye, scale(model.up, 20 * metre));
-  for (let t = 0; t < triangleCount(model); ++t) {
-    if (isSeeThrough(model, t)) continue;
-    if (crosses(eye, above, cornerOf(model, t, 0), cornerOf(model, t, 1), cornerOf(model, t, 2)) !== false) return true;
-  }
-  return false;
-}
+/** Trees and bridges are above few places of a way, roofs of a building that one walks through above many. */
+const kShareOfRoofs = 0.25;
+const kSamplesOfFlight = 16;
+const samplesOf = (flight: Flight): Place[] => Array.from({length: kSamplesOfFlight}, (_, i) => placeOf(flight, i / kSamplesOfFlight));
 
 /** What an accused culler draws, whatever is out of view. */
 function frameWithout(model: Model, hidden: Uint8Array): Frame {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Puts models together, object by object.
+import {metreOf} from "./metre.mjs";
 import type {Flight, Model} from "./model.mjs";
 import {distance, type Point} from "./points.mjs";
 
@@ -8,22 +9,34 @@ const kMostOfObject = 256;
 
 export type Colour = readonly [number, number, number];
 
-export class Builder {
-  readonly #pieces: {name: string; corners: Float32Array; colours: Uint8Array}[] = [];
+const counted = (_: unknown, i: number) => i;
 
-  /** Nine numbers of each triangle, and four of the colours of each corner. */
-  add(name: string, corners: Float32Array, colours: Uint8Array): void {
+/** What is known of a model beside its triangles, and what may be; the flight depends on the box of them. */
+export type Known = Pick<Model, "name" | "up" | "isColoured" | "cameras"> & Partial<Pick<Model, "origin" | "facet" | "lens">> & {
+  flightIn: (box: Model["box"]) => Flight;
+};
+
+export class Builder {
+  readonly #pieces: {name: string; corners: Float32Array; colours: Uint8Array; numbers: Uint32Array}[] = [];
+
+  /** Nine numbers of each triangle, four of the colours of each corner, and what each triangle is called in the file. */
+  add(name: string, corners: Float32Array, colours: Uint8Array, numbers = Uint32Array.from({length: corners.length / 9}, counted)): void {
     const count = corners.length / 9;
     if (count === 0) return;
     if (count <= kMostOfObject) {
-      this.#pieces.push({name, corners, colours});
+      this.#pieces.push({name, corners, colours, numbers});
       return;
     }
     const order = orderOfNearness(corners);
     const pieces = Math.ceil(count / kMostOfObject);
     for (let p = 0; p < pieces; ++p) {
       const part = order.subarray(Math.floor((count * p) / pieces), Math.floor((count * (p + 1)) / pieces));
-      this.#pieces.push({name: `${name}, part ${p + 1}`, corners: gather(corners, part, 9), colours: gather(colours, part, 12)});
+      this.#pieces.push({
+        name: `${name}, part ${p + 1}`,
+        corners: gather(corners, part, 9),
+        colours: gather(colours, part, 12),
+        numbers: gather(numbers, part, 1),
+      });
     }
   }
 
@@ -31,21 +44,24 @@ export class Builder {
     return this.#pieces.length === 0;
   }
 
-  /** `rest`: what is known beside triangles; the flight depends on the box of them. */
-  model({flightIn, ...rest}: Pick<Model, "name" | "up" | "isColoured" | "cameras"> & {flightIn: (box: Model["box"]) => Flight}): Model {
+  model({flightIn, ...known}: Known): Model {
     const firsts = new Uint32Array(this.#pieces.length + 1);
     this.#pieces.forEach(({corners}, i) => (firsts[i + 1] = firsts[i]! + corners.length / 9));
     const count = firsts.at(-1)!;
     const corners = new Float32Array(9 * count), colours = new Uint8Array(12 * count), boxes = new Float64Array(6 * this.#pieces.length);
+    const numbers = new Uint32Array(count);
     this.#pieces.forEach((piece, i) => {
       corners.set(piece.corners, 9 * firsts[i]!);
       colours.set(piece.colours, 12 * firsts[i]!);
+      numbers.set(piece.numbers, firsts[i]!);
       boxes.set(boxOf(piece.corners), 6 * i);
     });
     const [x0, y0, z0, x1, y1, z1] = boxOfBoxes(boxes);
     const low: Point = [x0!, y0!, z0!], high: Point = [x1!, y1!, z1!];
     const box = {low, high, size: distance(low, high)};
-    return {...rest, corners, colours, firsts, names: this.#pieces.map(piece => piece.name), boxes, box, flight: flightIn(box)};
+    const {origin = [0, 0, 0], facet = "triangle", lens = {fovY: 60, near: 0.1 * metreOf(box.size)}} = known, flight = flightIn(box);
+    const names = this.#pieces.map(piece => piece.name);
+    return {...known, origin, facet, lens, corners, colours, numbers, firsts, names, boxes, box, flight};
   }
 }
 
@@ -68,7 +84,8 @@ function boxOfBoxes(boxes: Float64Array): number[] {
   return all;
 }
 
-function gather<Numbers extends Float32Array | Uint8Array>(from: Numbers, which: Uint32Array, size: number): Numbers {
+/** Of a list with so many numbers for each thing those of some things. */
+export function gather<Numbers extends Float32Array | Uint8Array | Uint32Array>(from: Numbers, which: Uint32Array, size: number): Numbers {
   const part = from.slice(0, size * which.length) as Numbers;
   which.forEach((w, i) => part.set(from.subarray(size * w, size * w + size), size * i));
   return part;

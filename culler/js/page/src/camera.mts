@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 import type {LookAtCamera} from "occlude";
 
-import {add, cross, dot, length, scale, subtract, unit, type Point} from "./points.mjs";
+import {axesOf} from "./axes.mjs";
+import {add, scale, type Point} from "./points.mjs";
 
 /** Where somebody stands, and where they look. */
 export interface Place {
   readonly eye: Point;
   readonly target: Point;
 }
+
+/** The same from somewhere else. */
+export const moved = ({eye, target}: Place, by: Point): Place => ({eye: add(eye, by), target: add(target, by)});
 
 /** A camera of the culler that has said all that a picture needs. It has no far plane. */
 export interface Camera extends Place, LookAtCamera {
@@ -17,25 +21,6 @@ export interface Camera extends Place, LookAtCamera {
   readonly fovY: number;
   readonly aspect: number;
   readonly near: number;
-}
-
-export interface Axes {
-  readonly right: Point;
-  readonly up: Point;
-  readonly forward: Point;
-}
-
-export function axesOf({eye, target, up}: Camera): Axes {
-  const forward = unit(subtract(target, eye));
-  const right = unit(cross(forward, up));
-  return {right, up: cross(right, forward), forward};
-}
-
-/** The directions in which headings are told: a full turn is about `up`. */
-export function levelAxes(up: Point) {
-  const helper: Point = Math.abs(up[0]) < 0.9 * length(up) ? [1, 0, 0] : [0, 1, 0];
-  const east = unit(subtract(helper, scale(up, dot(helper, up) / dot(up, up))));
-  return {east, north: unit(cross(up, east)), up: unit(up)};
 }
 
 /** Half of the picture's width and height, one unit before the eye. */

@@ -4,7 +4,7 @@ import {median, type App} from "./app.mjs";
 import {byId, grouped, onClick, press, tell} from "./elements.mjs";
 import {newScores, type AccusedKey, type Catch, type Score, type Scores} from "./judge.mjs";
 import {cover} from "./layout.mjs";
-import {triangleCount} from "./model.mjs";
+import {facetOf, triangleCount} from "./model.mjs";
 import {rivals} from "./rivals.mjs";
 import {scenes, type Scene} from "./scenes.mjs";
 
@@ -87,7 +87,7 @@ export class Court {
     byId("card-title").textContent = `Caught: ${title}`;
     byId("card-text").textContent =
       `It leaves out “${model.names[caught.object]!}”, which shows at ${pixelsOf(caught)} of this picture. The ray from the eye ` +
-      `through the marked one reaches triangle ${caught.proof.triangle} and misses all ${grouped(caught.proof.missed)} others ` +
+      `through the marked one reaches ${facetOf(model, caught.proof.triangle)} and misses all ${grouped(caught.proof.missed)} others ` +
       "that could hide it.";
   }
 

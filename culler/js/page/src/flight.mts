@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+import {levelAxes} from "./axes.mjs";
 import type {Place} from "./camera.mjs";
 import type {Flight, Model} from "./model.mjs";
-import {levelAxes} from "./camera.mjs";
 import {add, mix, scale, type Point} from "./points.mjs";
 
 /** A share of the way, from 0 to 1. */

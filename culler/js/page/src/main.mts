@@ -4,20 +4,22 @@ import {load} from "occlude";
 
 import {parse} from "./address.mjs";
 import {App, type Source} from "./app.mjs";
+import {moved, type Place} from "./camera.mjs";
 import {Court} from "./court.mjs";
 import {byId, grouped, tell} from "./elements.mjs";
-import type {Place} from "./camera.mjs";
+import {sceneInside} from "./inside.mjs";
 import {triangleCount, type Model} from "./model.mjs";
 import {Panel} from "./panel.mjs";
 import {listen} from "./pointers.mjs";
 import {read} from "./read.mjs";
-import {scenes} from "./scenes.mjs";
+import {scenes as builtIn} from "./scenes.mjs";
 
 /** Triangles of a model whose culler is there in less than a second or two. */
 const kQuick = 150000;
 
 async function start(): Promise<{app: App; court: Court}> {
-  const address = parse(location.hash);
+  const address = parse(location.hash), inside = await sceneInside();
+  const scenes = inside ? [inside, ...builtIn] : builtIn;
   const app = new App(load(bytesOf(byId("module").textContent!)), byId<HTMLCanvasElement>("picture"), address.settings, {
     onFrame() {
       panel.tellFrame();
@@ -27,16 +29,18 @@ async function start(): Promise<{app: App; court: Court}> {
     onFlight: () => panel.tellFlight(),
   });
   const court = new Court(app, scene => open(scene.make(), {scene: scene.key}));
-  const panel = new Panel(app, {
+  const panel = new Panel(app, scenes, {
     openScene: scene => open(scene.make(), {scene: scene.key}),
     openFiles: files => said(async () => openFiles([...files])),
   });
 
   async function open(model: Model, source: Source, place?: Place): Promise<void> {
-    if (triangleCount(model) > kQuick) tell(`Preparing the culler of ${grouped(triangleCount(model))} triangles …`, 600);
+    const isLarge = triangleCount(model) > kQuick;
+    if (isLarge) tell(`Preparing the culler of ${grouped(triangleCount(model))} triangles …`, 600);
     await app.open(model, source, place);
     panel.tellModel();
     court.restart();
+    if (isLarge) tell(`${model.name} is open.`, 3);
   }
   async function openFiles(files: readonly File[]): Promise<void> {
     tell("Reading …", 600);
@@ -45,7 +49,7 @@ async function start(): Promise<{app: App; court: Court}> {
     tell(`${app.model.name} is open. It has not left this computer.`);
   }
   async function openAddress(): Promise<void> {
-    const {scene, model, place, before, settings} = parse(location.hash);
+    const {scene, model, place, frame, before, settings} = parse(location.hash);
     Object.assign(app.settings, settings);
     if (model !== undefined) {
       tell(`Reading ${model} …`, 600);
@@ -55,7 +59,8 @@ async function start(): Promise<{app: App; court: Court}> {
       tell(`${app.model.name} is open.`, 3);
     } else {
       const found = scenes.find(({key}) => key === scene) ?? scenes[0]!;
-      await open(found.make(), {scene: found.key}, place);
+      const made = found.make();
+      await open(made, {scene: found.key}, place ?? placeAt(made, frame));
     }
     panel.tellSettings();
     if (settings.isCatching) court.setOpen(true);
@@ -77,6 +82,12 @@ async function start(): Promise<{app: App; court: Court}> {
   matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => app.wake());
   await openAddress();
   return {app, court};
+}
+
+/** A place of the flight, in the coordinates of the file. */
+function placeAt({flight, origin}: Model, frame: number | undefined): Place | undefined {
+  const place = frame === undefined ? undefined : flight.places[frame];
+  return place && moved(place, origin);
 }
 
 function bytesOf(base64: string): Uint8Array<ArrayBuffer> {

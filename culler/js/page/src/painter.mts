@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Draws a model: pictures for readers, and pictures of triangles' numbers for judges.
 import {projectionOf, type Camera} from "./camera.mjs";
-import {haze, hiddenColour, pale, sky, type Rgb} from "./colours.mjs";
+import {haze, hiddenColour, pale, type Rgb} from "./colours.mjs";
 import type {Frame} from "./frame.mjs";
+import {Lines, type ColouredLine} from "./lines.mjs";
 import {triangleCount, type Model} from "./model.mjs";
 import type {Picture} from "./picture.mjs";
 import {subtract, type Point} from "./points.mjs";
+import {link, type Program} from "./programs.mjs";
+import {Screen, setFilter, Targets, type Target} from "./screen.mjs";
 import * as shaders from "./shaders.mjs";
 
 /** A part of the canvas, in its pixels from the lower left. */
@@ -14,14 +17,6 @@ export interface Viewport {
   readonly y: number;
   readonly width: number;
   readonly height: number;
-}
-
-export interface Line {
-  readonly from: Point;
-  readonly to: Point;
-  readonly colour: Rgb;
-  /** Whether it is seen through what is in front. */
-  readonly isThrough?: boolean;
 }
 
 export interface Look {
@@ -34,33 +29,20 @@ export interface Look {
   /** What is that much above the origin along `up` is cut off. */
   readonly ceiling: number;
   readonly marked?: {readonly first: number; readonly end: number; readonly colour: Rgb} | undefined;
-  readonly lines: readonly Line[];
+  /** Seen through what is in front. */
+  readonly lines: readonly ColouredLine[];
   readonly isDark: boolean;
   /** Corners are dark that far out of them. */
   readonly shadeRadius: number;
-}
-
-type Uniforms = Record<string, WebGLUniformLocation | null>;
-interface Program {
-  readonly program: WebGLProgram;
-  readonly uniforms: Uniforms;
-}
-interface Target {
-  readonly buffer: WebGLFramebuffer;
-  readonly colours: WebGLTexture;
-  readonly depths: WebGLTexture;
-  readonly width: number;
-  readonly height: number;
 }
 
 export class Painter {
   readonly #gl: WebGL2RenderingContext;
   readonly #colour: Program;
   readonly #number: Program;
-  readonly #screen: Program;
-  readonly #line: Program;
-  readonly #targets = new Map<string, Target>();
-  readonly #lines: {array: WebGLVertexArrayObject; buffer: WebGLBuffer};
+  readonly #targets: Targets;
+  readonly #screen: Screen;
+  readonly #lines: Lines;
   readonly #fates: WebGLTexture;
   #model: Model | undefined;
   #array: WebGLVertexArrayObject | null = null;
@@ -75,19 +57,10 @@ export class Painter {
     this.#gl = gl;
     this.#colour = link(gl, shaders.colourVertices, shaders.colourFragments);
     this.#number = link(gl, shaders.numberVertices, shaders.numberFragments);
-    this.#screen = link(gl, shaders.screenVertices, shaders.screenFragments);
-    this.#line = link(gl, shaders.lineVertices, shaders.lineFragments);
+    this.#targets = new Targets(gl);
+    this.#screen = new Screen(gl);
+    this.#lines = new Lines(gl);
     this.#fates = gl.createTexture();
-    const array = gl.createVertexArray(), buffer = gl.createBuffer();
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    // Two points and a colour, for each of a line's four vertices.
-    [3, 3, 4].forEach((size, i) => {
-      gl.enableVertexAttribArray(i);
-      gl.vertexAttribPointer(i, size, gl.FLOAT, false, 40, [0, 12, 24][i]!);
-      gl.vertexAttribDivisor(i, 1);
-    });
-    this.#lines = {array, buffer};
     gl.depthFunc(gl.GREATER);
     gl.clearDepth(0);
   }
@@ -131,7 +104,7 @@ export class Painter {
   /** Paints a part of the canvas. */
   paint(viewport: Viewport, camera: Camera, look: Look): void {
     const gl = this.#gl, {width, height} = viewport;
-    const target = this.#targetOf("colours", width, height);
+    const target = this.#targets.of("colours", width, height);
     // Edges against the sky are mixed with that.
     this.#begin(target, look.isDark ? haze.dark : haze.light);
     const {uniforms} = this.#use(this.#colour, camera, look.ceiling);
@@ -148,10 +121,10 @@ export class Painter {
     gl.bindTexture(gl.TEXTURE_2D, this.#fates);
     gl.uniform1i(uniforms.fates!, 0);
     this.#draw(look.frame);
-    this.#drawLines(look.lines.filter(line => !line.isThrough), camera, target, 1);
     gl.disable(gl.DEPTH_TEST);
-    this.#drawLines(look.lines.filter(line => line.isThrough), camera, target, 1);
-    this.#show(target, viewport, camera, look);
+    const seen = {...camera, projection: projectionOf(camera)};
+    this.#lines.draw(look.lines, seen, [width, height], 2 * Math.max(1, devicePixelRatio));
+    this.#screen.show(target, [viewport.x, viewport.y], {...look, near: camera.near});
   }
 
   /** The colours of a picture before it is shaded by its depths: four bytes of each pixel. */
@@ -159,7 +132,7 @@ export class Painter {
     const gl = this.#gl;
     this.paint({x: 0, y: 0, width, height}, camera, look);
     const pixels = new Uint8Array(4 * width * height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#targetOf("colours", width, height).buffer);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#targets.of("colours", width, height).buffer);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     return pixels;
   }
@@ -178,7 +151,7 @@ export class Painter {
   }
 
   #drawNumbers(camera: Camera, width: number, height: number, ceiling: number, isOpaqueOnly: boolean, frame?: Frame): Target {
-    const gl = this.#gl, target = this.#targetOf("numbers", width, height);
+    const gl = this.#gl, target = this.#targets.of("numbers", width, height);
     this.#begin(target);
     const {uniforms} = this.#use(this.#number, camera, ceiling);
     gl.uniform1i(uniforms.isOpaqueOnly!, Number(isOpaqueOnly));
@@ -234,100 +207,4 @@ export class Painter {
     this.#indexed = {frame, count};
     return count;
   }
-
-  #drawLines(lines: readonly Line[], camera: Camera, {width, height}: Target, alpha: number): void {
-    if (lines.length === 0) return;
-    const gl = this.#gl, {uniforms} = this.#line;
-    const numbers = lines.flatMap(({from, to, colour}) => [...subtract(from, camera.eye), ...subtract(to, camera.eye), ...colour, alpha]);
-    gl.useProgram(this.#line.program);
-    gl.uniformMatrix4fv(uniforms.projection!, false, projectionOf(camera));
-    gl.uniform2f(uniforms.size!, width, height);
-    gl.uniform1f(uniforms.width!, 2 * Math.max(1, devicePixelRatio));
-    gl.uniform1f(uniforms.near!, camera.near);
-    gl.bindVertexArray(this.#lines.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.#lines.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(numbers), gl.STREAM_DRAW);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.length);
-  }
-
-  #show(target: Target, {x, y, width, height}: Viewport, camera: Camera, look: Look): void {
-    const gl = this.#gl, {uniforms} = this.#screen;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(x, y, width, height);
-    gl.useProgram(this.#screen.program);
-    [target.colours, target.depths].forEach((texture, i) => {
-      gl.activeTexture(gl.TEXTURE0 + i);
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-    });
-    gl.uniform1i(uniforms.picture!, 0);
-    gl.uniform1i(uniforms.depths!, 1);
-    gl.uniform1f(uniforms.near!, camera.near);
-    gl.uniform1f(uniforms.radius!, look.shadeRadius);
-    gl.uniform3fv(uniforms.haze!, look.isDark ? haze.dark : haze.light);
-    gl.uniform3fv(uniforms.sky!, look.isDark ? sky.dark : sky.light);
-    gl.bindVertexArray(null);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-  }
-
-  /** One of each kind and size. */
-  #targetOf(kind: "colours" | "numbers", width: number, height: number): Target {
-    const name = `${kind} ${width} ${height}`, found = this.#targets.get(name);
-    if (found) return found;
-    if (this.#targets.size >= kMostTargets) {
-      const [oldest, target] = this.#targets.entries().next().value!;
-      this.#release(target);
-      this.#targets.delete(oldest);
-    }
-    const gl = this.#gl;
-    const texture = (format: number) => {
-      const made = gl.createTexture();
-      gl.bindTexture(gl.TEXTURE_2D, made);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
-      setFilter(gl, format === gl.RGBA8 ? gl.LINEAR : gl.NEAREST);
-      return made;
-    };
-    gl.activeTexture(gl.TEXTURE0);
-    const target = {buffer: gl.createFramebuffer(), colours: texture(gl.RGBA8), depths: texture(gl.DEPTH_COMPONENT32F), width, height};
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.colours, 0);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, target.depths, 0);
-    this.#targets.set(name, target);
-    return target;
-  }
-
-  #release({buffer, colours, depths}: Target): void {
-    const gl = this.#gl;
-    gl.deleteFramebuffer(buffer);
-    gl.deleteTexture(colours);
-    gl.deleteTexture(depths);
-  }
-}
-
-/** Two views and a lens, and the pictures of their numbers, coarse and fine. */
-const kMostTargets = 8;
-
-function setFilter(gl: WebGL2RenderingContext, filter: number): void {
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-}
-
-function link(gl: WebGL2RenderingContext, vertices: string, fragments: string): Program {
-  const program = gl.createProgram();
-  for (const [type, source] of [[gl.VERTEX_SHADER, vertices], [gl.FRAGMENT_SHADER, fragments]] as const) {
-    const shader = gl.createShader(type)!;
-    gl.shaderSource(shader, source);
-    gl.compileShader(shader);
-    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "a shader was refused");
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "a program was refused");
-  const uniforms: Uniforms = {};
-  for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++i) {
-    const {name} = gl.getActiveUniform(program, i)!;
-    uniforms[name] = gl.getUniformLocation(program, name);
-  }
-  return {program, uniforms};
 }

@@ -5,9 +5,9 @@ import {copyLink, sizeOf} from "./court.mjs";
 import {byId, grouped, inputOf, onClick, press, tell} from "./elements.mjs";
 import {showSplit} from "./layout.mjs";
 import {triangleCount} from "./model.mjs";
-import {save} from "./path.mjs";
 import {turned} from "./read.mjs";
-import {scenes, type Scene} from "./scenes.mjs";
+import {save} from "./save.mjs";
+import type {Scene} from "./scenes.mjs";
 
 const recordLabel = byId("record").innerHTML;
 
@@ -26,7 +26,7 @@ export interface Doors {
 export class Panel {
   readonly #app: App;
 
-  constructor(app: App, doors: Doors) {
+  constructor(app: App, scenes: readonly Scene[], doors: Doors) {
     this.#app = app;
     const select = byId<HTMLSelectElement>("scene");
     select.append(...scenes.map(({key, title}) => new Option(title, key)));
@@ -49,8 +49,10 @@ export class Panel {
   tellModel(): void {
     const {model, shows, source} = this.#app;
     byId("scene-name").textContent = model.name;
+    document.title = `occlude: ${model.name}`;
     byId("about").textContent = `${model.name}: ${sizeOf(this.#app)}. W A S D or the arrows walk, Q and E go down and up, ` +
-      "Shift is faster; drag looks around, the wheel changes the speed. One finger looks, two walk. A click asks why.";
+      "Shift is faster; drag looks around, the wheel changes the speed. One finger looks, two walk. A click asks why. " +
+      "From outside drag turns, Shift and drag or two fingers move, the wheel or a pinch zooms.";
     inputOf("cut").checked = shows.cut;
     const select = byId<HTMLSelectElement>("scene"), isOwn = source.scene === undefined;
     select.querySelector("option[value=own]")?.remove();

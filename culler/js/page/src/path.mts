@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The way that somebody has gone, as a file that every --path of the command takes.
 import type {Place} from "./camera.mjs";
-import type {Point} from "./points.mjs";
+import type {Model} from "./model.mjs";
 
 /** Keyframes a second. */
 export const kRate = 30;
@@ -29,16 +29,8 @@ export class Recorder {
   }
 
   /** The file. One place alone stays for two frames. */
-  text(model: string, fovY: number, near: number, up: Point): string {
+  text({name, lens: {fovY, near}, up}: Pick<Model, "name" | "lens" | "up">): string {
     const keyframes = this.#places.length > 1 ? this.#places : [...this.#places, ...this.#places];
-    return `${JSON.stringify({model, frames: keyframes.length, fov_y_deg: fovY, near, up, keyframes})}\n`;
+    return `${JSON.stringify({model: name, frames: keyframes.length, fov_y_deg: fovY, near, up, keyframes})}\n`;
   }
-}
-
-export function save(name: string, text: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], {type: "application/json"}));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-import {axesOf, halfSizeOf, type Camera} from "./camera.mjs";
+import {axesOf} from "./axes.mjs";
+import {halfSizeOf, type Camera} from "./camera.mjs";
 import type {Model} from "./model.mjs";
 import {add, dot, scale, subtract, type Point} from "./points.mjs";
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-import {axesOf, halfSizeOf, type Axes} from "./camera.mjs";
+import {axesOf, type Axes} from "./axes.mjs";
+import {halfSizeOf} from "./camera.mjs";
 import type {Model} from "./model.mjs";
 import {dot, subtract, type Point} from "./points.mjs";
 import {depthsOf, type Picture} from "./picture.mjs";

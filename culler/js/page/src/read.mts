@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Reads files: glTF, OBJ and PLY, by the loaders of three.js.
+// Reads files: glTF and OBJ by the loaders of three.js, and PLY.
 import * as THREE from "three";
 import {DRACOLoader} from "three/addons/loaders/DRACOLoader.js";
 import {GLTFLoader} from "three/addons/loaders/GLTFLoader.js";
 import {MTLLoader} from "three/addons/loaders/MTLLoader.js";
 import {OBJLoader} from "three/addons/loaders/OBJLoader.js";
-import {PLYLoader} from "three/addons/loaders/PLYLoader.js";
 import {MeshoptDecoder} from "three/addons/libs/meshopt_decoder.module.js";
 
-import {Builder} from "./builder.mjs";
+import {Builder, gather, type Known} from "./builder.mjs";
 import {ColourOf} from "./materials.mjs";
 import {orbit} from "./flight.mjs";
 import type {Model, NamedPlace} from "./model.mjs";
+import {readPly} from "./ply.mjs";
 import {add, type Point} from "./points.mjs";
 
 /** What is dropped together, by name: a model, and what it refers to. */
@@ -25,6 +25,7 @@ const kMostTriangles = 2 ** 23;
 export async function read(files: Files): Promise<Model> {
   const name = [...files.keys()].find(file => kinds.test(file));
   if (name === undefined) throw new Error(`${[...files.keys()].join(", ") || "nothing"}: no glTF, OBJ or PLY file`);
+  if (/\.ply$/i.test(name)) return modelOfPly(name, new Uint8Array(await files.get(name)!.arrayBuffer()));
   const urls = new Map([...files].map(([file, blob]) => [file, URL.createObjectURL(blob)]));
   const manager = new THREE.LoadingManager();
   manager.setURLModifier(url => urls.get(decodeURIComponent(url.split(/[\\/]/).at(-1)!)) ?? url);
@@ -45,12 +46,6 @@ interface Loaded {
 
 async function load(name: string, files: Files, manager: THREE.LoadingManager): Promise<Loaded> {
   const blob = files.get(name)!;
-  if (/\.ply$/i.test(name)) {
-    const geometry = new PLYLoader(manager).parse(await blob.arrayBuffer()), isColoured = geometry.hasAttribute("color");
-    const root = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({vertexColors: isColoured}));
-    root.name = name;
-    return {root, cameras: [], up: undefined, isColoured};
-  }
   if (/\.obj$/i.test(name)) {
     const loader = new OBJLoader(manager), library = [...files.keys()].find(file => /\.mtl$/i.test(file));
     if (library !== undefined) loader.setMaterials(await materialsIn(await files.get(library)!.text(), manager));
@@ -73,6 +68,17 @@ async function materialsIn(text: string, manager: THREE.LoadingManager) {
   return creator;
 }
 
+function modelOfPly(name: string, bytes: Uint8Array<ArrayBuffer>): Model {
+  const {corners, colours, faces, isColoured} = readPly(bytes, name), builder = new Builder();
+  requireFew(name, faces.length);
+  builder.add(name, ...withoutBroken(corners, colours, faces));
+  return modelIn(builder, {name, isColoured, cameras: [], facet: "polygon"}, undefined);
+}
+
+function requireFew(name: string, triangles: number): void {
+  if (triangles > kMostTriangles) throw new Error(`${name}: more than ${kMostTriangles} triangles`);
+}
+
 function modelOf(name: string, {root, cameras, up, isColoured}: Loaded): Model {
   root.updateMatrixWorld(true);
   const builder = new Builder();
@@ -80,12 +86,15 @@ function modelOf(name: string, {root, cameras, up, isColoured}: Loaded): Model {
   root.traverseVisible(object => {
     if (!(object instanceof THREE.Mesh)) return;
     count += addMesh(builder, object);
-    if (count > kMostTriangles) throw new Error(`${name}: more than ${kMostTriangles} triangles`);
+    requireFew(name, count);
   });
-  if (builder.isEmpty) throw new Error(`${name}: no triangles`);
-  const places = cameras.map(placeOfCamera);
-  const model = builder.model({name, up: up ?? [0, 0, 1], isColoured, cameras: places, flightIn: box => orbit(box, up ?? [0, 0, 1])});
-  return up === undefined ? turned(model, likelyUp(name, model)) : model;
+  return modelIn(builder, {name, isColoured, cameras: cameras.map(placeOfCamera)}, up);
+}
+
+function modelIn(builder: Builder, known: Omit<Known, "up" | "flightIn">, up: Point | undefined): Model {
+  if (builder.isEmpty) throw new Error(`${known.name}: no triangles`);
+  const model = builder.model({...known, up: up ?? [0, 0, 1], flightIn: box => orbit(box, up ?? [0, 0, 1])});
+  return up === undefined ? turned(model, likelyUp(known.name, model)) : model;
 }
 
 /** The same model with another direction up. */
@@ -155,13 +164,14 @@ function coloursOf(mesh: THREE.Mesh, index: Uint32Array) {
   return {kept, colours};
 }
 
-/** Leaves out triangles with numbers that are none. */
-function withoutBroken(corners: Float32Array, colours: Uint8Array): [Float32Array, Uint8Array] {
+/** Leaves out triangles with numbers that are none. Numbers of triangles are their own, or these. */
+function withoutBroken(
+  corners: Float32Array,
+  colours: Uint8Array,
+  numbers?: Uint32Array<ArrayBuffer>,
+): [Float32Array, Uint8Array, Uint32Array<ArrayBuffer>] {
   const isWhole = (triangle: number) => corners.subarray(9 * triangle, 9 * triangle + 9).every(Number.isFinite);
-  const whole = Array.from({length: corners.length / 9}, (_, t) => t).filter(isWhole);
-  if (whole.length === corners.length / 9) return [corners, colours];
-  return [
-    Float32Array.from(whole.flatMap(t => [...corners.subarray(9 * t, 9 * t + 9)])),
-    Uint8Array.from(whole.flatMap(t => [...colours.subarray(12 * t, 12 * t + 12)])),
-  ];
+  const whole = Uint32Array.from({length: corners.length / 9}, (_, t) => t).filter(isWhole);
+  if (whole.length === corners.length / 9) return [corners, colours, numbers ?? whole];
+  return [gather(corners, whole, 9), gather(colours, whole, 12), numbers ? gather(numbers, whole, 1) : whole];
 }

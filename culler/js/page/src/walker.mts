@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Walks: keys move, dragging looks around, the wheel changes the speed; on a phone one finger looks around and two move.
-import {levelAxes, type Place} from "./camera.mjs";
+import {levelAxes} from "./axes.mjs";
+import type {Place} from "./camera.mjs";
 import {add, cross, dot, scale, subtract, unit, type Point} from "./points.mjs";
 
 /** Radians up or down: at the pole there is no right and left. */

@@ -2,8 +2,9 @@
 // Why a triangle is drawn or not, in words.
 import type {Camera as AnyCamera, ObjectId, Occlude, OccluderMesh, Scene, View} from "occlude";
 
-import {axesOf, type Camera} from "./camera.mjs";
-import {cornerOf, ownersOf, type Model} from "./model.mjs";
+import {axesOf} from "./axes.mjs";
+import type {Camera} from "./camera.mjs";
+import {cornerOf, facetOf, ownersOf, type Model} from "./model.mjs";
 import {boxOf} from "./builder.mjs";
 import {dot, type Point} from "./points.mjs";
 import {polygonsOf} from "./polygons.mjs";
@@ -40,7 +41,7 @@ export class Asker {
     this.#scene.update();
     const frame = this.#scene.cull(camera as AnyCamera, this.#view, {margin, adaptive: false});
     const fate = this.#scene.why([this.#object], this.#view)[0]!;
-    const what = `Triangle ${triangle} of “${names[owner]}”`;
+    const facet = facetOf(this.#model, triangle), what = `${facet[0]!.toUpperCase()}${facet.slice(1)} of “${names[owner]}”`;
     if (fate.reason === "out_of_view") {
       const [a, b, c] = frame.planes.subarray(4 * fate.plane!, 4 * fate.plane! + 3);
       return {text: `${what} is out of view: its box is wholly ${edgeOf([a!, b!, c!], camera)}.`, hiders: []};

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 
-/** Numbers from 0 to 1, always the same for the same seed. */
-export function random(seed: number): () => number {
+/**
+ * Numbers from 0 to 1, always the same for the same seed.
+ * @param {number} seed
+ */
+export function random(seed) {
   let state = seed >>> 0;
   return () => {
     state = (state + 0x6d2b79f5) >>> 0;
