@@ -33,10 +33,9 @@ Camera camera_of(const kernel::Aabb& eyes) {
   return camera;
 }
 
-/// The pictures of the six cameras overlap, so that each direction is in one of them. A region has no near plane; a point
-/// has one that lies farther behind the eye, by the margin for single precision, than this nearest one of all is before it.
-void cull_around(const Culler& culler, const kernel::Aabb& eyes, const CullOptions& options, View& view,
-                 const std::function<void()>& take) {
+/// A region has no near plane; a point has one that lies farther behind the eye, by the margin for single precision, than
+/// this nearest one of all is before it.
+std::array<Camera, 6> cameras_around(const kernel::Aabb& eyes) {
   Camera camera = camera_of(eyes);
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) most = std::max(most, camera.eyes.half_edges[i][static_cast<int>(i)]);
@@ -44,10 +43,7 @@ void cull_around(const Culler& culler, const kernel::Aabb& eyes, const CullOptio
     double& reach = camera.eyes.half_edges[i][static_cast<int>(i)];
     reach = std::max(reach, kernel::flushed(kLeastShare * most));
   }
-  for (const Camera& side : all_around(camera, kernel::kMinMagnitude)) {
-    culler.cull(side, options, view);
-    take();
-  }
+  return all_around(camera, kernel::kMinMagnitude);
 }
 
 }  // namespace occlude::culler
