@@ -13,7 +13,8 @@ namespace occlude::culler {
 /// REQUIRES: kernel::check() refuses nothing of the box.
 [[nodiscard]] Camera camera_of(const kernel::Aabb& eyes);
 
-/// Six such cameras whose pictures hold all directions. Nothing is before a near plane. REQUIRES: as camera_of().
+/// Six such cameras whose pictures hold all directions. No frame of them culls anything because it is before a near plane.
+/// REQUIRES: as camera_of().
 [[nodiscard]] std::array<Camera, 6> cameras_around(const kernel::Aabb& eyes);
 
 }  // namespace occlude::culler

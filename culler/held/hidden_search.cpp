@@ -76,7 +76,8 @@ void HiddenSearch::look_from(const kernel::Aabb& eyes, Known& known) {
   eyes_ = eyes;
   known_ = &known;
   const auto cameras = cameras_around(eyes);
-  if (!std::exchange(known.has_looked, true)) {
+  const bool is_first = !std::exchange(known.has_looked, true);
+  if (is_first) {
     for (const Camera& camera : cameras) look(camera, options_.side, options_.side);
   }
   Polygons seen;
@@ -84,7 +85,11 @@ void HiddenSearch::look_from(const kernel::Aabb& eyes, Known& known) {
     if (!is_hidden(p)) seen.push_back(p);
   }
   few_ = std::max<std::size_t>(1, static_cast<std::size_t>(options_.closer * static_cast<double>(seen.size())));
-  for (const Camera& camera : cameras) look_closer(camera, seen);
+  for (const Camera& camera : cameras) {
+    Places places = places_of(camera, seen);
+    if (!is_first && places.large >= few_) look(camera, options_.side, options_.side);
+    look_closer(camera, places.small);
+  }
 }
 
 /// Asks all that a frame draws, and all other boxes, by themselves.
@@ -110,18 +115,12 @@ void HiddenSearch::look(const Camera& camera, int width, int height) {
   for_each_hidden(memory_of(view_).cover.buffer, boxes_, asked_, [&](std::uint32_t i) { known_->is_hidden[i] = 1; });
 }
 
-void HiddenSearch::look_closer(const Camera& camera, const Polygons& polygons) {
-  if (polygons.size() < few_) return;
-  std::vector<Place> places = places_of(camera, polygons);
-  look_closer(camera, places);
-}
-
-/// Those of polygons that are not hidden and have their middle in the picture, but for what is too large or too near.
-std::vector<HiddenSearch::Place> HiddenSearch::places_of(const Camera& camera, const Polygons& polygons) const {
+/// Where those of the polygons are that are not hidden, have their middle in the picture and are not too near.
+HiddenSearch::Places HiddenSearch::places_of(const Camera& camera, const Polygons& polygons) const {
   const Camera::Axes axes = camera.axes();
   const glm::dvec2 half = opening_of(camera), most = 2 * kLargest * half;
   const double nearest = 2 * camera.eyes.reach(axes.forward);
-  std::vector<Place> places;
+  Places places;
   for (const std::uint32_t p : polygons) {
     if (is_hidden(p)) continue;
     const glm::dvec3 to = to_glm(middle(boxes_[p])) - camera.eye;
@@ -138,8 +137,12 @@ std::vector<HiddenSearch::Place> HiddenSearch::places_of(const Camera& camera, c
       is_near = is_near || !(forward > nearest);
       place = {p, std::min(place.low_x, x), std::min(place.low_y, y), std::max(place.high_x, x), std::max(place.high_y, y)};
     }
-    if (is_near || place.high_x - place.low_x > most.x || place.high_y - place.low_y > most.y) continue;
-    places.push_back(place);
+    if (is_near) continue;
+    if (place.high_x - place.low_x > most.x || place.high_y - place.low_y > most.y) {
+      ++places.large;
+    } else {
+      places.small.push_back(place);
+    }
   }
   return places;
 }
@@ -178,7 +181,9 @@ void HiddenSearch::look_closer(const Camera& camera, std::span<Place> places) {
   const double wider = std::sqrt(picture->aspect), side = options_.side;
   look(*picture, static_cast<int>(side * wider), static_cast<int>(side / wider));
   const auto hidden = std::ranges::count_if(polygons, [&](std::uint32_t p) { return is_hidden(p); });
-  if (static_cast<double>(hidden) >= kLeastGain * static_cast<double>(polygons.size())) look_closer(*picture, polygons);
+  if (static_cast<double>(hidden) < kLeastGain * static_cast<double>(polygons.size())) return;
+  Places left = places_of(*picture, polygons);
+  look_closer(*picture, left.small);
 }
 
 }  // namespace occlude::culler

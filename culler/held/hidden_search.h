@@ -51,10 +51,13 @@ class HiddenSearch {
   };
 
   void look(const Camera& camera, int width, int height);
-  void look_closer(const Camera& camera, const Polygons& polygons);
   void look_closer(const Camera& camera, std::span<Place> places);
   [[nodiscard]] bool is_hidden(std::uint32_t i) const { return known_->is_hidden[i] != 0; }
-  [[nodiscard]] std::vector<Place> places_of(const Camera& camera, const Polygons& polygons) const;
+  struct Places {
+    std::vector<Place> small;
+    std::size_t large = 0;  ///< how many others
+  };
+  [[nodiscard]] Places places_of(const Camera& camera, const Polygons& polygons) const;
 
   const Culler& culler_;
   std::span<const kernel::Aabb> boxes_;
