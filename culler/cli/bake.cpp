@@ -32,6 +32,7 @@
 #include "occlude/render/job.h"
 #include "occlude/render/packing.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/range_parts.h"
 #include "occlude/render/ranks.h"
 #include "occlude/render/stopwatch.h"
 #include "occlude/render/store.h"
@@ -190,21 +191,16 @@ Changes unpacked(render::Unpacker& unpacker, std::size_t count) {
 /// All cells, on the first rank; the others only help.
 std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint32_t items) {
   constexpr std::size_t kOfPart = 16;
-  const std::size_t count = baker.groups(), cells = baker.cells().size();
+  const std::size_t cells = baker.cells().size();
+  render::RangeParts parts(baker.groups(), kOfPart);
   render::Progress progress("cell", cells);
   std::vector<BakedCell> baked(cells);
-  std::size_t begun = 0, taken = 0, done = 0;
-  const auto end_of = [&](std::size_t first) { return std::min(first + kOfPart, count); };
-  const auto next = [&]() -> std::optional<std::string> {
-    if (begun == count) return std::nullopt;
-    return render::Packer().put(std::exchange(begun, end_of(begun))).bytes();
-  };
+  std::size_t done = 0;
   const auto work = [&](const std::string& part) {
-    const auto first = render::Unpacker(part).get<std::size_t>();
-    render::require_part(first < count, "cells that there are not");
-    std::vector<std::vector<BakedCell>> groups(end_of(first) - first);
+    const auto [first, end] = parts.of(part);
+    std::vector<std::vector<BakedCell>> groups(end - first);
     culler::parallel_for(
-        groups.size(), [&](std::size_t i) { groups[i] = baker.bake(first + i); }, render::check_interrupt);
+        groups.size(), [&, first = first](std::size_t i) { groups[i] = baker.bake(first + i); }, render::check_interrupt);
     render::Packer packer;
     for (const std::vector<BakedCell>& group : groups) {
       for (const BakedCell& cell : group) packer.put(cell.items).put(cell.cells);
@@ -213,8 +209,9 @@ std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint3
   };
   const auto take = [&](const std::string& result) {
     render::Unpacker unpacker(result);
-    for (const std::size_t end = end_of(taken); taken < end; ++taken) {
-      for (const std::uint32_t cell : baker.group(taken)) {
+    const auto [first, end] = parts.take();
+    for (std::size_t group = first; group < end; ++group) {
+      for (const std::uint32_t cell : baker.group(group)) {
         Changes seen = unpacked(unpacker, items);
         baked[cell] = {baker.cells()[cell], std::move(seen), unpacked(unpacker, cells)};
         ++done;
@@ -223,7 +220,7 @@ std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint3
     unpacker.finish();
     progress.update(done);
   };
-  job.run({next, work, take});
+  job.run({[&] { return parts.next(); }, work, take});
   return baked;
 }
 
