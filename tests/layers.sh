@@ -78,7 +78,7 @@ scene: base model camera descent cover
 inner: base model frusta
 frame: base model camera descent frusta cover
 simplify: base model camera descent frusta cover frame inner
-held: base model camera descent scene frame
+held: base model camera descent cover scene frame
 store: base model frusta cover frame
 '
 {

@@ -18,8 +18,9 @@
 #include "cells.h"
 #include "command_arguments.h"
 #include "commands.h"
-#include "held/around_box.h"
+#include "held/hidden_search.h"
 #include "model/bounds.h"
+#include "model/curve_order.h"
 #include "object_list.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/validity.h"
@@ -31,6 +32,7 @@
 #include "occlude/render/job.h"
 #include "occlude/render/packing.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/range_parts.h"
 #include "occlude/render/ranks.h"
 #include "occlude/render/stopwatch.h"
 #include "occlude/render/store.h"
@@ -46,7 +48,8 @@ struct BakeArguments {
   std::string model, out, map, cells, heights, objects;
   CellGrid grid;
   double reach = 5, piece = 2;
-  std::size_t cover_size = 576;
+  double closer = 0.02;
+  std::size_t cover_size = 256;
   ReadArguments read;
   std::vector<Option> reading;  ///< its options
   PathArguments path;
@@ -99,53 +102,82 @@ std::vector<kernel::Aabb> boxes_of(culler::SoupView soup) {
   return boxes;
 }
 
-/// Bakes one cell after another. Leaves of several polygons close more of the picture, in less time, than those of one. So
-/// what a leaf shows is asked once more by itself.
+/// Bakes groups of cells that lie together. What is hidden from all of them is found at once, and not asked again.
 class Baker {
  public:
-  Baker(const culler::Culler& culler, const Items& items, std::vector<kernel::Aabb> cells, double piece,
-        std::size_t cover_size)
+  Baker(const culler::Culler& culler, const Items& items, std::vector<kernel::Aabb> cells, const BakeArguments& arguments)
       : culler_(culler),
         items_(items),
         cells_(std::move(cells)),
         boxes_(boxes_of(culler.hierarchy().soup())),
-        piece_(piece) {
-    options_.method = culler::Method::cover;
-    options_.cover.width = options_.cover.height = static_cast<int>(cover_size);
+        piece_(arguments.piece),
+        search_{static_cast<int>(arguments.cover_size), arguments.closer, render::check_interrupt} {
+    boxes_.insert(boxes_.end(), cells_.begin(), cells_.end());
+    curve_.sort(cells_);
+    groups_ = curve_.runs(kOfGroup);
   }
 
   [[nodiscard]] const std::vector<kernel::Aabb>& cells() const { return cells_; }
+  [[nodiscard]] std::size_t groups() const { return groups_.size(); }
+  /// The numbers of the cells of a group.
+  [[nodiscard]] std::span<const std::uint32_t> group(std::size_t i) const {
+    return curve_.order().subspan(groups_[i].first, groups_[i].count);
+  }
 
-  [[nodiscard]] BakedCell bake(std::size_t cell) const {
-    std::vector<bool> seen(items_.count + std::size_t{1}), cells(cells_.size());
-    seen.back() = true;  // what is in no object is not asked
-    cells[cell] = true;
-    thread_local culler::View view;  // its memory is large
-    const auto is_seen = [&](const kernel::Aabb& box) { return view.visibility(box) == culler::Visibility::visible; };
-    const auto take = [&] {
-      for (const auto& [first, count] : view.result().drawn) {
-        for (std::uint32_t p = first; p < first + count; ++p) {
-          const std::uint32_t item = items_.of_polygon[p];
-          if (!seen[item]) seen[item] = is_seen(boxes_[p]);
-        }
-      }
-      for (std::size_t other = 0; other < cells_.size(); ++other) {
-        if (!cells[other]) cells[other] = is_seen(cells_[other]);
-      }
-    };
-    for (const kernel::Aabb& piece : pieces_of(cells_[cell], piece_)) {
-      culler::cull_around(culler_, piece, options_, view, take);
-    }
-    seen.pop_back();
-    return {cells_[cell], changes_of(seen), changes_of(cells)};
+  /// The cells of a group, in its order.
+  [[nodiscard]] std::vector<BakedCell> bake(std::size_t group) const {
+    culler::HiddenSearch search(culler_, boxes_, search_);
+    Known known = search.nothing();
+    if (const auto box = common_box(this->group(group))) search.look_from(*box, known);
+    std::vector<BakedCell> baked;
+    for (const std::uint32_t cell : this->group(group)) baked.push_back(bake(cell, search, known));
+    return baked;
   }
 
  private:
+  using Known = culler::HiddenSearch::Known;
+  static constexpr std::uint32_t kOfGroup = 16;
+
+  /// The box of several cells, if something is hidden from all of them: hardly anything is where they lie far apart.
+  [[nodiscard]] std::optional<kernel::Aabb> common_box(std::span<const std::uint32_t> group) const {
+    constexpr double kMostApart = 8;
+    kernel::Aabb box = culler::empty_box();
+    double longest = 0;
+    for (const std::uint32_t cell : group) {
+      culler::grow(box, cells_[cell]);
+      longest = std::max(longest, length_of(cells_[cell]));
+    }
+    return group.size() > 1 && length_of(box) <= kMostApart * longest ? std::optional(box) : std::nullopt;
+  }
+  static double length_of(const kernel::Aabb& box) {
+    return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+  }
+
+  [[nodiscard]] BakedCell bake(std::uint32_t cell, culler::HiddenSearch& search, const Known& hidden_from_all) const {
+    std::vector<bool> seen(items_.count + std::size_t{1}), cells(cells_.size());
+    cells[cell] = true;
+    for (const kernel::Aabb& piece : pieces_of(cells_[cell], piece_)) {
+      Known known = hidden_from_all;
+      search.look_from(piece, known);
+      const std::size_t polygons = items_.of_polygon.size();
+      for (std::size_t p = 0; p < polygons; ++p) {
+        if (known.is_hidden[p] == 0) seen[items_.of_polygon[p]] = true;
+      }
+      for (std::size_t other = 0; other < cells_.size(); ++other) {
+        if (known.is_hidden[polygons + other] == 0) cells[other] = true;
+      }
+    }
+    seen.pop_back();  // what is in no object
+    return {cells_[cell], changes_of(seen), changes_of(cells)};
+  }
+
   const culler::Culler& culler_;
   const Items& items_;
-  std::vector<kernel::Aabb> cells_, boxes_;
+  std::vector<kernel::Aabb> cells_, boxes_;  ///< boxes of polygons, then the cells
   double piece_;
-  culler::CullOptions options_;
+  culler::HiddenSearch::Options search_;
+  culler::CurveOrder curve_;  ///< of the cells
+  std::vector<culler::ItemRange> groups_;
 };
 
 Changes unpacked(render::Unpacker& unpacker, std::size_t count) {
@@ -159,35 +191,36 @@ Changes unpacked(render::Unpacker& unpacker, std::size_t count) {
 /// All cells, on the first rank; the others only help.
 std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint32_t items) {
   constexpr std::size_t kOfPart = 16;
-  const std::size_t count = baker.cells().size();
-  render::Progress progress("cell", count);
-  std::vector<BakedCell> baked;
-  std::size_t begun = 0;
-  const auto end_of = [&](std::size_t first) { return std::min(first + kOfPart, count); };
-  const auto next = [&]() -> std::optional<std::string> {
-    if (begun == count) return std::nullopt;
-    return render::Packer().put(std::exchange(begun, end_of(begun))).bytes();
-  };
+  const std::size_t cells = baker.cells().size();
+  render::RangeParts parts(baker.groups(), kOfPart);
+  render::Progress progress("cell", cells);
+  std::vector<BakedCell> baked(cells);
+  std::size_t done = 0;
   const auto work = [&](const std::string& part) {
-    const auto first = render::Unpacker(part).get<std::size_t>();
-    render::require_part(first < count, "a cell that there is not");
-    std::vector<BakedCell> cells(end_of(first) - first);
+    const auto [first, end] = parts.of(part);
+    std::vector<std::vector<BakedCell>> groups(end - first);
     culler::parallel_for(
-        cells.size(), [&](std::size_t i) { cells[i] = baker.bake(first + i); }, render::check_interrupt);
+        groups.size(), [&, first = first](std::size_t i) { groups[i] = baker.bake(first + i); }, render::check_interrupt);
     render::Packer packer;
-    for (const BakedCell& cell : cells) packer.put(cell.items).put(cell.cells);
+    for (const std::vector<BakedCell>& group : groups) {
+      for (const BakedCell& cell : group) packer.put(cell.items).put(cell.cells);
+    }
     return packer.bytes();
   };
   const auto take = [&](const std::string& result) {
     render::Unpacker unpacker(result);
-    for (const std::size_t end = end_of(baked.size()); baked.size() < end;) {
-      Changes seen = unpacked(unpacker, items);
-      baked.push_back({baker.cells()[baked.size()], std::move(seen), unpacked(unpacker, count)});
+    const auto [first, end] = parts.take();
+    for (std::size_t group = first; group < end; ++group) {
+      for (const std::uint32_t cell : baker.group(group)) {
+        Changes seen = unpacked(unpacker, items);
+        baked[cell] = {baker.cells()[cell], std::move(seen), unpacked(unpacker, cells)};
+        ++done;
+      }
     }
     unpacker.finish();
-    progress.update(baked.size());
+    progress.update(done);
   };
-  job.run({next, work, take});
+  job.run({[&] { return parts.next(); }, work, take});
   return baked;
 }
 
@@ -296,9 +329,7 @@ void bake(BakeArguments& arguments) {
   });
   const render::Stopwatch stopwatch;
   culler.prepare(culler::Method::cover, render::check_interrupt);
-  VisibleSets sets{
-      hash, items.count,
-      bake_all(job, Baker(culler, items, std::move(cells), arguments.piece, arguments.cover_size), items.count)};
+  VisibleSets sets{hash, items.count, bake_all(job, Baker(culler, items, std::move(cells), arguments), items.count)};
   if (!outputs) return;
   make_mutual(sets.cells);
   Told told = write(*outputs, sets, up);
@@ -344,12 +375,18 @@ void add_bake(Command app, int&) {
             "count]");
   a->reading = a->read.add_to(command);
   command.under(kTuning, [&] {
-    command.add("--piece", a->piece, "cells are culled in pieces of at most this side: smaller ones hide more")
+    command.add("--piece", a->piece, "cells are culled in pieces of at most this side: smaller ones may hide more")
         .show_default()
         .in_range(1e-6, 1e9);
     command.add("--cover-size", a->cover_size, "side of the coarse pictures in pixels: larger ones hide more")
         .show_default()
         .in_range(std::size_t{culler::kLeastCoverSide}, std::size_t{culler::kMostCoverSide});
+    command
+        .add("--closer", a->closer,
+             "pictures of parts of what is seen are made where this share of it is: smaller ones leave out more, and take "
+             "longer")
+        .show_default()
+        .in_range(1e-6, 1.0);
   });
   command.add_flag("--json", a->json, "print the counts as JSON");
   a->parts.add_to(command, "bake");

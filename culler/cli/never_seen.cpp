@@ -98,19 +98,20 @@ culler::CullOptions cull_options(const SearchOptions& options) {
   return cull;
 }
 
-/// The polygons that culls of all directions for whole cells show: all at once, as `bake` finds them.
+/// The polygons that culls of all directions for whole cells show, all at once.
 std::vector<bool> shown_from(const culler::Culler& culler, const std::vector<kernel::Aabb>& cells,
                              const SearchOptions& options) {
   std::vector<bool> shown(culler.hierarchy().soup().size());
   std::mutex mutex;
   const auto cull = [&](std::size_t cell) {
     culler::View view;
-    culler::cull_around(culler, cells[cell], cull_options(options), view, [&] {
+    for (const culler::Camera& side : culler::cameras_around(cells[cell])) {
+      culler.cull(side, cull_options(options), view);
       const std::scoped_lock lock(mutex);
       for (const auto& [first, count] : view.result().drawn) {
         for (std::uint32_t p = first; p < first + count; ++p) shown[p] = true;
       }
-    });
+    }
   };
   culler::parallel_for(cells.size(), cull, render::check_interrupt);
   return shown;

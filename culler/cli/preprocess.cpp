@@ -27,6 +27,7 @@
 #include "occlude/render/output_file.h"
 #include "occlude/render/packing.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/range_parts.h"
 #include "occlude/render/ranks.h"
 #include "occlude/render/stopwatch.h"
 #include "occlude/render/store.h"
@@ -71,32 +72,23 @@ std::vector<float> sample(render::Job& job, const culler::Culler& culler, const 
   const culler::OccluderLists& lists = occluders_of(culler).lists();
   const std::size_t polygons = culler.hierarchy().soup().size();
   const std::size_t regions = lists.partition().regions();
-  const std::size_t of_part = (regions + kParts - 1) / kParts;
+  render::RangeParts parts(regions, (regions + kParts - 1) / kParts);
   render::Progress progress("region", regions);
   std::vector<float> hidden;
-  std::size_t begun = 0, taken = 0;
-  const auto end_of = [&](std::size_t first) { return std::min(first + of_part, regions); };
-  const auto next = [&]() -> std::optional<std::string> {
-    if (begun == regions) return std::nullopt;
-    return render::Packer().put(std::exchange(begun, end_of(begun))).bytes();
-  };
   const auto work = [&](const std::string& part) {
-    const auto first = render::Unpacker(part).get<std::size_t>();
-    render::require_part(first < regions, "a region that there is not");
-    return render::Packer()
-        .put(culler::sample_regions(culler, samples, first, end_of(first), render::check_interrupt))
-        .bytes();
+    const auto [first, end] = parts.of(part);
+    return render::Packer().put(culler::sample_regions(culler, samples, first, end, render::check_interrupt)).bytes();
   };
   const auto take = [&](const std::string& result) {
     render::Unpacker unpacker(result);
     const std::vector<float> part = unpacker.list<float>();
     unpacker.finish();
-    const std::size_t end = end_of(taken);
-    require_hidden(part, lists.stored().first[end] - lists.stored().first[taken], polygons);
+    const auto [first, end] = parts.take();
+    require_hidden(part, lists.stored().first[end] - lists.stored().first[first], polygons);
     hidden.insert(hidden.end(), part.begin(), part.end());
-    progress.update(taken = end);
+    progress.update(end);
   };
-  job.run({next, work, take});
+  job.run({[&] { return parts.next(); }, work, take});
   return hidden;
 }
 

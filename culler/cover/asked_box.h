@@ -2,14 +2,18 @@
 // Whether any box would be visible in the last frame of a view.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <variant>
 
+#include "base/each_bit.h"
 #include "camera/frame_view.h"
 #include "cover/cover_buffer.h"
+#include "cover/projected_boxes.h"
 #include "model/bounds.h"
 #include "model/legal_soup.h"
 #include "model/outer_box.h"
@@ -42,6 +46,28 @@ template <class AnyBox>
   const kernel::Aabb outer = outer_box(box);
   const ConservativeViewport& picture = cover.picture();
   return picture.width() > 0 && depth(outer, picture.eye()) <= picture.depth() && cover.hides(outer);
+}
+
+/// Calls hide(i) for those of the asked boxes that the cover hides as hides_any() says, eight at a time. `asked` are numbers
+/// of boxes.
+template <class Hide>
+void for_each_hidden(const CoverBuffer& cover, std::span<const kernel::Aabb> boxes, std::span<const std::uint32_t> asked,
+                     const Hide& hide) {
+  const ConservativeViewport& picture = cover.picture();
+  std::array<std::uint32_t, ProjectedBoxes::kMost> numbers{};
+  ProjectedBoxes several;
+  const auto ask = [&] {
+    several.project(cover.box_picture());
+    for_each_bit(cover.hidden(several, several.all()), [&](std::uint32_t i) { hide(numbers[i]); });
+    several.size = 0;
+  };
+  for (const std::uint32_t i : asked) {
+    if (depth(boxes[i], picture.eye()) > picture.depth()) continue;
+    numbers[several.size] = i;
+    several.add(cover.box_picture(), boxes[i]);
+    if (several.size == ProjectedBoxes::kMost) ask();
+  }
+  if (several.size > 0) ask();
 }
 
 /// is_hidden(box) is asked of a box in view. Throws as View::visibility().

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is seen from anywhere in a box of eyes, in all directions.
+// Cameras whose eye may be anywhere in a box.
 #pragma once
 
-#include <functional>
+#include <array>
 
-#include "occlude/culler/culler.h"
+#include "occlude/culler/camera.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -13,13 +13,8 @@ namespace occlude::culler {
 /// REQUIRES: kernel::check() refuses nothing of the box.
 [[nodiscard]] Camera camera_of(const kernel::Aabb& eyes);
 
-/// Culls six frames for all eyes of a box and calls take() after each, whose result is view.result().
-/// 1. From nowhere in the box does a segment reach anything, in any direction, that all six frames cull: it meets an opaque
-///    polygon strictly between. Nothing is before a near plane.
-/// 2. So it is of any other box that none of the frames shows (View::visibility), and of a polygon if each frame that does
-///    not cull it does not show its box.
-/// Throws as Culler::cull(), and what take() throws. REQUIRES: kernel::check() refuses nothing of the box.
-void cull_around(const Culler& culler, const kernel::Aabb& eyes, const CullOptions& options, View& view,
-                 const std::function<void()>& take);
+/// Six such cameras whose pictures hold all directions. No frame of them culls anything because it is before a near plane.
+/// REQUIRES: as camera_of().
+[[nodiscard]] std::array<Camera, 6> cameras_around(const kernel::Aabb& eyes);
 
 }  // namespace occlude::culler

@@ -177,7 +177,7 @@ fi
 [ $? -eq 1 ] && grep -q 'cell 0 sees polygon 10 ' rays && grep -q 'cell 0 sees cell 2 ' rays || fail "the rays do not find a wrong set: $(cat rays)"
 
 # Parts that are kept change no byte, nor does a run that goes on with those of one that was killed, nor do ranks.
-long=(bake door.ply --cells grid --cell-size 1.5)
+long=(bake door.ply --cells grid --cell-size 1)
 has_parts() { [ "$(ls kept 2>/dev/null | grep -c '^part-')" -ge 2 ]; } # two parts are finished
 "$occlude" "${long[@]}" --parts kept --out killed.pvs >/dev/null 2>stderr &
 await has_parts
