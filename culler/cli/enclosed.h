@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is inside of closed parts.
+// What is inside of closed shells.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,13 @@
 
 namespace occlude::cli {
 
-/// The polygons of the tree that lie inside of a closed part of it, without touching it. Exact: a segment from such a
-/// polygon to anywhere outside of the box of the model meets an opaque polygon strictly between.
-[[nodiscard]] std::vector<bool> enclosed_polygons(const culler::Hierarchy& tree, const culler::Checkpoint& checkpoint);
+/// The polygons of the tree that lie inside of closed shells of it (closed_shells.h). Exact.
+/// 1. A segment from such a polygon to anywhere outside of the box of the model meets an opaque polygon strictly between.
+/// 2. If `may_touch`, polygons count that touch their shell along the borders of the triangles of their fans. What a ray
+/// from
+///    outside of the model's hull meets first, then, is on an opaque polygon that is not among them, if it is on one that
+///    is.
+[[nodiscard]] std::vector<bool> enclosed_polygons(const culler::Hierarchy& tree, bool may_touch,
+                                                  const culler::Checkpoint& checkpoint);
 
 }  // namespace occlude::cli

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <random>
 #include <span>
@@ -98,25 +97,6 @@ culler::CullOptions cull_options(const SearchOptions& options) {
   return cull;
 }
 
-/// The polygons that culls of all directions for whole cells show, all at once.
-std::vector<bool> shown_from(const culler::Culler& culler, const std::vector<kernel::Aabb>& cells,
-                             const SearchOptions& options) {
-  std::vector<bool> shown(culler.hierarchy().soup().size());
-  std::mutex mutex;
-  const auto cull = [&](std::size_t cell) {
-    culler::View view;
-    for (const culler::Camera& side : culler::cameras_around(cells[cell])) {
-      culler.cull(side, cull_options(options), view);
-      const std::scoped_lock lock(mutex);
-      for (const auto& [first, count] : view.result().drawn) {
-        for (std::uint32_t p = first; p < first + count; ++p) shown[p] = true;
-      }
-    }
-  };
-  culler::parallel_for(cells.size(), cull, render::check_interrupt);
-  return shown;
-}
-
 /// Whether a segment from a random eye seems to reach polygon p. Only what is worth asking depends on it.
 bool is_reached(std::uint32_t p, const culler::SoupView& soup, const render::TreeRays& rays,
                 std::span<const kernel::Aabb> cells, std::size_t count) {
@@ -144,69 +124,109 @@ bool is_reached(std::uint32_t p, const culler::SoupView& soup, const render::Tre
   return false;
 }
 
-/// Asks what of a few polygons that lie together is hidden.
-class Question {
- public:
-  /// Asks at most so many parts of cells.
-  Question(const culler::Culler& culler, Polygons polygons, std::size_t parts, const SearchOptions& options)
-      : culler_(culler), polygons_(std::move(polygons)), left_(parts), cull_(cull_options(options)) {}
+/// Whether these are hidden from everywhere in a part of a cell. In ascending order.
+struct Ask {
+  kernel::Aabb cell;
+  Polygons polygons;
+};
 
-  /// Those that are hidden from all cells.
-  [[nodiscard]] Polygons hidden_from(std::span<const kernel::Aabb> cells) {
-    for (const kernel::Aabb& cell : cells) polygons_ = hidden_of(std::move(polygons_), cell);
-    return std::move(polygons_);
+class Search {
+ public:
+  Search(const culler::Culler& culler, const SearchOptions& options)
+      : culler_(culler), cull_(cull_options(options)), is_given_up_(culler.hierarchy().soup().size()) {}
+
+  /// What of the polygons of these asks is hidden, of each from its cell, with at most so many culls; these are deducted.
+  /// Wide before narrow: all asks are answered before any is divided, so that what asks for least is found first.
+  void answer(std::vector<Ask> asks, std::size_t& culls) {
+    while (!asks.empty()) {
+      give_up_beyond(asks, culls);
+      culls -= asks.size();
+      const auto look = [&](std::size_t i) {
+        culler::View view;
+        asks[i].polygons = shown_of(asks[i], view);
+      };
+      culler::parallel_for(asks.size(), look, render::check_interrupt);
+      std::vector<Ask> parts;
+      for (Ask& ask : asks) divide(std::move(ask), parts);
+      asks = std::move(parts);
+    }
   }
+
+  [[nodiscard]] bool is_given_up(std::uint32_t p) const { return is_given_up_[p]; }
 
  private:
-  /// Those that are hidden from everywhere in the cell, as far as that is found.
-  [[nodiscard]] Polygons hidden_of(Polygons polygons, const kernel::Aabb& cell) {
-    constexpr double kFirst = 4, kFinest = 32;  // cells that look longer hide little, and shorter ones hardly more
-    constexpr std::size_t kFew = 4;
-    if (polygons.empty() || left_ == 0) return {};
-    --left_;
-    const kernel::Aabb box = box_of(polygons);
-    const double share = length_of(cell) == 0 ? 0 : distance_of(cell, box) / length_of(cell);
-    if (share < kFirst && length_of(cell) > 0) return hidden_of_halves(std::move(polygons), cell);
-    Polygons shown = shown_of(polygons, cell, box);
-    if (shown.empty()) return polygons;
-    Polygons still;  // that are hidden, of those that this cull shows
-    if (shown.size() > kFew) {
-      const auto middle = shown.begin() + static_cast<std::ptrdiff_t>(shown.size() / 2);
-      still = hidden_of({shown.begin(), middle}, cell);
-      const Polygons others = hidden_of({middle, shown.end()}, cell);
-      still.insert(still.end(), others.begin(), others.end());
-    } else if (length_of(cell) > 0 && share < kFinest) {
-      still = without(shown, shown_of(shown, middle_of(cell), box));  // what one eye seems to see is not looked at further
-      still = hidden_of_halves(std::move(still), cell);
+  /// Gives polygons up until there are no more asks than this: first those that are in the most asks.
+  void give_up_beyond(std::vector<Ask>& asks, std::size_t most) {
+    forget_what_is_given_up(asks);
+    if (asks.size() <= most) return;
+    std::vector<std::uint32_t> asks_of(is_given_up_.size());
+    for (const Ask& ask : asks) {
+      for (const std::uint32_t p : ask.polygons) ++asks_of[p];
     }
-    return without(std::move(polygons), without(std::move(shown), still));
+    std::vector<std::uint32_t> least;
+    for (const Ask& ask : asks) {
+      const auto fewest = std::ranges::min_element(ask.polygons, {}, [&](std::uint32_t p) { return asks_of[p]; });
+      least.push_back(asks_of[*fewest]);
+    }
+    std::ranges::nth_element(least, least.begin() + static_cast<std::ptrdiff_t>(most));
+    for (const Ask& ask : asks) {
+      for (const std::uint32_t p : ask.polygons) is_given_up_[p] = is_given_up_[p] || asks_of[p] >= least[most];
+    }
+    forget_what_is_given_up(asks);
   }
 
-  /// The polygons that are not among these others. All are in ascending order.
-  [[nodiscard]] static Polygons without(Polygons polygons, const Polygons& others) {
-    std::erase_if(polygons, [&](std::uint32_t p) { return std::ranges::binary_search(others, p); });
-    return polygons;
+  void forget_what_is_given_up(std::vector<Ask>& asks) const {
+    for (Ask& ask : asks) std::erase_if(ask.polygons, [&](std::uint32_t p) { return is_given_up_[p]; });
+    std::erase_if(asks, [](const Ask& ask) { return ask.polygons.empty(); });
   }
 
-  [[nodiscard]] Polygons hidden_of_halves(Polygons polygons, const kernel::Aabb& cell) {
-    for (const kernel::Aabb& half : halves_of(cell)) polygons = hidden_of(std::move(polygons), half);
-    return polygons;
+  /// Appends asks for what is left of this one, which are easier to answer: of fewer polygons, or of a smaller part.
+  void divide(Ask ask, std::vector<Ask>& parts) {
+    // A picture of polygons that lie no wider than this has room for what hides them. A cell that is shorter, as seen from
+    // there, hides hardly more.
+    constexpr double kWide = 4, kFinest = 64;
+    if (ask.polygons.empty()) return;
+    const kernel::Aabb box = box_of(ask.polygons);
+    const double length = length_of(ask.cell);
+    if (ask.polygons.size() > 1 && length_of(box) > kWide * length) {
+      const auto middle = ask.polygons.begin() + static_cast<std::ptrdiff_t>(ask.polygons.size() / 2);
+      parts.push_back({ask.cell, {ask.polygons.begin(), middle}});
+      parts.push_back({ask.cell, {middle, ask.polygons.end()}});
+    } else if (length * kFinest > distance_of(ask.cell, box)) {
+      const auto [one, other] = halves_of(ask.cell);
+      parts.push_back({one, ask.polygons});
+      parts.push_back({other, std::move(ask.polygons)});
+    } else {
+      for (const std::uint32_t p : ask.polygons) is_given_up_[p] = true;
+    }
   }
 
-  /// Those that one cull for all eyes of the cell does not hide. What lies beyond the picture is not hidden.
-  [[nodiscard]] Polygons shown_of(Polygons polygons, const kernel::Aabb& cell, const kernel::Aabb& box) {
+  /// Those that culls for all eyes of the cell do not hide.
+  [[nodiscard]] Polygons shown_of(const Ask& ask, culler::View& view) const {
+    const kernel::Aabb box = box_of(ask.polygons);
     const std::span<const culler::HierarchyNode> nodes = culler_.hierarchy().nodes();
     // Of what hides, nothing is before the model, and little so near.
-    const double near = std::max(distance_of(cell, nodes[0].box), distance_of(cell, box) / 2) / 32;
-    const auto camera = camera_for(cell, box, near);
-    if (!camera) return polygons;
-    for (const culler::Culled& culled : culler_.cull(*camera, cull_, view_).culled) {
-      if (culled.by != culler::Culled::By::cover) continue;
-      const culler::HierarchyNode& node = nodes[culled.node];
-      polygons.erase(std::ranges::lower_bound(polygons, node.first),
-                     std::ranges::lower_bound(polygons, node.first + node.count));
+    const double near = std::max(distance_of(ask.cell, nodes[0].box), distance_of(ask.cell, box) / 2) / 32;
+    Polygons polygons = ask.polygons, shown;
+    if (const auto camera = camera_for(ask.cell, box, near)) {  // what lies beyond the picture is not hidden
+      for (const culler::Culled& culled : culler_.cull(*camera, cull_, view).culled) {
+        if (culled.by != culler::Culled::By::cover) continue;
+        const culler::HierarchyNode& node = nodes[culled.node];
+        polygons.erase(std::ranges::lower_bound(polygons, node.first),
+                       std::ranges::lower_bound(polygons, node.first + node.count));
+      }
+      return polygons;
     }
-    return polygons;
+    for (const culler::Camera& side : culler::cameras_around(ask.cell)) {
+      for (const auto& [first, count] : culler_.cull(side, cull_, view).drawn) {
+        const auto begin = std::ranges::lower_bound(polygons, first),
+                   end = std::ranges::lower_bound(polygons, first + count);
+        shown.insert(shown.end(), begin, end);
+        polygons.erase(begin, end);
+      }
+    }
+    std::ranges::sort(shown);
+    return shown;
   }
 
   [[nodiscard]] kernel::Aabb box_of(std::span<const std::uint32_t> polygons) const {
@@ -216,11 +236,25 @@ class Question {
   }
 
   const culler::Culler& culler_;
-  Polygons polygons_;
-  std::size_t left_;  ///< parts of cells that may still be asked
   culler::CullOptions cull_;
-  culler::View view_;
+  std::vector<bool> is_given_up_;  ///< of each polygon, whether it is not asked for any more, and counts as seen
 };
+
+/// The cells, divided into as many parts as this at most, the longest first, but not into shorter ones than are worth it.
+std::vector<kernel::Aabb> divided(std::vector<kernel::Aabb> cells, const kernel::Aabb& model, std::size_t most) {
+  constexpr double kFirst = 6;  // a cell that looks longer from the model hides little
+  const auto is_longer = [](const kernel::Aabb& a, const kernel::Aabb& b) { return length_of(a) < length_of(b); };
+  std::ranges::make_heap(cells, is_longer);
+  while (cells.size() < most && length_of(cells.front()) * kFirst > distance_of(cells.front(), model)) {
+    const auto halves = halves_of(cells.front());
+    std::ranges::pop_heap(cells, is_longer);
+    cells.back() = halves[0];
+    std::ranges::push_heap(cells, is_longer);
+    cells.push_back(halves[1]);
+    std::ranges::push_heap(cells, is_longer);
+  }
+  return cells;
+}
 
 }  // namespace
 
@@ -229,42 +263,41 @@ std::vector<bool> never_seen(const culler::Culler& culler, const std::vector<ker
                              const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const culler::SoupView& soup = culler.hierarchy().soup();
   const render::TreeRays rays(culler.hierarchy());
-  const std::vector<bool> is_shown = shown_from(culler, cells, options);
   std::vector<std::uint8_t> is_asked(candidates.size());
   constexpr std::size_t kBlock = 1024;
   const auto choose = [&](std::size_t block) {
     for (std::size_t p = block * kBlock; p < std::min(is_asked.size(), (block + 1) * kBlock); ++p) {
-      if (!candidates[p] || !is_shown[p] || is_reached(static_cast<std::uint32_t>(p), soup, rays, cells, options.rays)) {
-        continue;
-      }
+      if (!candidates[p] || is_reached(static_cast<std::uint32_t>(p), soup, rays, cells, options.rays)) continue;
       is_asked[p] = 1;
     }
   };
   culler::parallel_for((is_asked.size() + kBlock - 1) / kBlock, choose, render::check_interrupt);
-
-  // Polygons that follow each other in the tree lie close together.
-  constexpr std::size_t kTogether = 64;
-  std::vector<Polygons> groups;
+  Polygons hidden;
   for (std::uint32_t p = 0; p < is_asked.size(); ++p) {
-    if (is_asked[p] == 0) continue;
-    if (groups.empty() || groups.back().size() == kTogether) groups.emplace_back();
-    groups.back().push_back(p);
+    if (is_asked[p] != 0) hidden.push_back(p);
   }
-  const std::size_t asked = static_cast<std::size_t>(std::ranges::count(is_asked, 1));
-  std::mutex mutex;
-  std::size_t done = 0;
-  const auto ask = [&](std::size_t i) {
-    const std::size_t parts = groups[i].size() * options.effort / asked;
-    groups[i] = Question(culler, std::move(groups[i]), parts, options).hidden_from(cells);
-    const std::scoped_lock lock(mutex);
-    progress(++done, groups.size());
-  };
-  culler::parallel_for(groups.size(), ask, render::check_interrupt);
+
+  // A few parts at a time, from all directions: what is not hidden from these is given up before others are asked.
+  constexpr std::size_t kTogether = 32, kCullsOfPart = 16, kMostShares = 4;
+  std::vector<kernel::Aabb> parts = divided(cells, culler.hierarchy().nodes()[0].box, options.effort / kCullsOfPart);
+  std::mt19937_64 random(1);
+  for (std::size_t i = parts.size(); i > 1; --i) std::swap(parts[i - 1], parts[random() % i]);
+  Search search(culler, options);
+  std::size_t left = options.effort;
+  for (std::size_t i = 0; i < parts.size() && !hidden.empty(); i += kTogether) {
+    const std::size_t end = std::min(parts.size(), i + kTogether);
+    std::vector<Ask> asks;
+    for (std::size_t k = i; k < end; ++k) asks.push_back({parts[k], hidden});
+    const std::size_t share = std::min(left, kMostShares * left * (end - i) / (parts.size() - i));
+    std::size_t culls = share + asks.size();
+    left -= share;
+    search.answer(std::move(asks), culls);
+    left += culls;
+    std::erase_if(hidden, [&](std::uint32_t p) { return search.is_given_up(p); });
+    progress(end, parts.size());
+  }
   std::vector<bool> is_hidden(is_asked.size());
-  for (std::size_t p = 0; p < is_hidden.size(); ++p) is_hidden[p] = candidates[p] && !is_shown[p];
-  for (const Polygons& polygons : groups) {
-    for (const std::uint32_t p : polygons) is_hidden[p] = true;
-  }
+  for (const std::uint32_t p : hidden) is_hidden[p] = true;
   return is_hidden;
 }
 

@@ -15,7 +15,7 @@ namespace occlude::cli {
 
 struct SearchOptions {
   std::size_t rays = 256;        ///< to each polygon, from random eyes: what one seems to reach is not asked
-  std::size_t effort = 4096;     ///< parts of cells that are asked at most: in all, shared evenly among the polygons
+  std::size_t effort = 4096;     ///< culls at most, once cells were asked, which for this are divided into parts
   std::size_t cover_size = 384;  ///< side of the coarse pictures, pixels
 };
 

@@ -43,6 +43,7 @@ struct PruneArguments {
   std::string model, out, from, cells;
   std::vector<std::string> keep;
   double reach = 0.5;
+  bool touching = false;
   SearchOptions search;
   ReadArguments read;
   PathArguments path;
@@ -183,11 +184,11 @@ std::vector<bool> unseen(const PruneArguments& arguments, const culler::Culler& 
                          const std::vector<kernel::Aabb>& cells) {
   const culler::Hierarchy& tree = culler.hierarchy();
   std::vector<bool> is_unseen(tree.soup().size());
-  if (arguments.from == kOutside) is_unseen = enclosed_polygons(tree, render::check_interrupt);
+  if (arguments.from == kOutside) is_unseen = enclosed_polygons(tree, arguments.touching, render::check_interrupt);
   std::vector<bool> candidates = is_unseen;
   candidates.flip();
   culler.prepare(culler::Method::cover, render::check_interrupt);
-  render::Watch watch("polygons, group");
+  render::Watch watch("cells, part");
   const std::vector<bool> found = never_seen(culler, cells, candidates, arguments.search, std::ref(watch));
   for (std::size_t p = 0; p < found.size(); ++p) is_unseen[p] = is_unseen[p] || found[p];
   return is_unseen;
@@ -196,6 +197,7 @@ std::vector<bool> unseen(const PruneArguments& arguments, const culler::Culler& 
 void prune(PruneArguments& arguments) {
   if (extension_of(arguments.out) != extension_of(arguments.model)) refuse("--out", "expected the format of the model");
   if ((arguments.from == kCells) != !arguments.cells.empty()) refuse("--cells", "goes with --from cells");
+  if (arguments.touching && arguments.from != kOutside) refuse("--touching", "goes with --from outside");
   render::OutputFile file(arguments.out);
   const render::FileParts parts = render::parts_of(arguments.model);
   render::WalkOptions walk;
@@ -233,9 +235,10 @@ void prune(PruneArguments& arguments) {
 void add_prune(Command app, int&) {
   Command command = app.add_command("prune", "Write a model again, without the polygons that are never seen");
   command.footer(
-      "Each polygon that goes is hidden from every eye that --from names, exactly, by polygons with two opaque sides. The "
-      "rest\n"
-      "of the file stays as it is. Some polygons stay though they are hidden: docs/prune.md.\n" +
+      "Each polygon that goes is hidden from every eye that --from names, exactly, by polygons with two opaque sides; with\n"
+      "--touching, but for points of its borders that are on others. The rest of the file stays as it is. Some polygons "
+      "stay\n"
+      "though they are hidden: docs/prune.md.\n" +
       limits_help() +
       "\n"
       "Example: occlude prune engine.glb --from outside --out shell.glb --keep label\n"
@@ -248,6 +251,8 @@ void add_prune(Command app, int&) {
       .required()
       .one_of({kOutside, kPath, kCells});
   add_output(command, "--out", a->out, "file to write, of the same format").required();
+  command.add_flag("--touching", a->touching,
+                   "of --from outside: walls go, too, of which nothing is seen but edges that they share with what stays");
   command.add("--keep", a->keep, "name of a node, mesh, object, group or material of which all stays; may be repeated");
   add_input(command, "--cells", a->cells, "JSON file of boxes, as of bake");
   a->path.add_to(command, "of --from path");
@@ -261,7 +266,7 @@ void add_prune(Command app, int&) {
         .in_range(std::size_t{0}, std::size_t{1000000});
     command
         .add("--effort", a->search.effort,
-             "parts of cells that are asked in all, at most, once whole cells were: more find more")
+             "culls of smaller parts of cells in all, at most, once each was asked: more find more")
         .show_default()
         .in_range(std::size_t{0}, std::size_t{1000000});
     command.add("--cover-size", a->search.cover_size, "side of the coarse pictures in pixels: larger ones hide more")

@@ -67,6 +67,8 @@ is_of_readers() { grep --quiet '^--- a/render/models/' "$(patch_of "$1")"; }
 suites_for() {
   if is_of_readers "$1"; then
     echo 'render_tests *ModelIo*:*Gltf*:*Formats*:*Convention*:*Reported*'
+  elif grep --quiet '^--- a/culler/cli/' "$(patch_of "$1")"; then
+    echo 'cli_tests *'
   elif grep --quiet '^--- a/culler/' "$(patch_of "$1")"; then
     echo 'culler_tests *'
   else

@@ -39,6 +39,39 @@ grep -q ' 100 % of' drawn || fail "something inside of a closed box stays: $(cat
 ply touching.ply 16 12 "$(box 0 10)$(box 0 5)$(sides 0)$(sides 8)"
 gone touching.ply 0 --from outside --effort 0
 same touching.ply 200
+gone touching.ply 3 --from outside --effort 0 --touching
+same touching.ply 0
+
+# A row of three houses with walls between them, of which the last is open above: the wall to it is seen.
+row='' walls=''
+for x in 0 1 2 3; do row="$row$x 0 0\n$x 1 0\n$x 1 1\n$x 0 1\n" walls="${walls}4 $((4 * x)) $((4 * x + 1)) $((4 * x + 2)) $((4 * x + 3))\n"; done
+for x in 0 4 8; do
+  for side in '0 1 5 4' '1 2 6 5' '3 0 4 7' '2 3 7 6'; do
+    [ $x -eq 8 ] && [ "$side" = '2 3 7 6' ] && continue
+    walls="${walls}4"
+    for corner in $side; do walls="$walls $((corner + x))"; done
+    walls="$walls\n"
+  done
+done
+ply row.ply 16 15 "$row$walls"
+gone row.ply 0 --from outside --effort 0
+gone row.ply 1 --from outside --effort 0 --touching
+same row.ply 0
+grep -qa '^4 4 5 6 7' pruned.ply && fail "the wall between closed houses stays: $(cat pruned.ply)"
+
+# A housing of six plates that overlap and close nothing by themselves: culls find what is in it.
+plates=''
+for place in '0 0' '0 1' '1 0' '1 1' '2 0' '2 1'; do
+  for corner in '-.5 -.5' '10.5 -.5' '10.5 10.5' '-.5 10.5'; do
+    set -- $place $corner
+    at=$(($2 * 10))
+    case $1 in 0) plates="$plates$at $3 $4\n" ;; 1) plates="$plates$4 $at $3\n" ;; 2) plates="$plates$3 $4 $at\n" ;; esac
+  done
+done
+ply plates.ply 32 12 "$plates$(box 4 6)4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n4 20 21 22 23\n$(sides 24)"
+gone plates.ply 0 --from outside --effort 0
+gone plates.ply 6 --from outside
+same plates.ply 200
 
 # Without its upper side what is in it may be seen; the sides seen from in there stay, too.
 ply open.ply 32 23 "$all${faces/4 4 5 7 6\\n/}"
@@ -266,6 +299,7 @@ expect_error 'closed.ply' "$occlude" prune closed.ply --from outside --out close
 expect_error 'missing.ply' "$occlude" prune missing.ply --from outside --out bad.ply
 expect_error 'nothing in the model has the name lamp' "$occlude" prune window.obj --from outside --out bad.obj --keep lamp
 expect_error '--cells' "$occlude" prune closed.ply --from cells --out bad.ply
+expect_error '--touching' "$occlude" prune closed.ply --from cells --cells cells.json --touching --out bad.ply
 expect_error '--cells' "$occlude" prune closed.ply --from outside --cells cells.json --out bad.ply
 echo '{"cells":[]}' >none.json
 expect_error 'none.json: no cells' "$occlude" prune closed.ply --from cells --cells none.json --out bad.ply
