@@ -98,6 +98,7 @@ TEST(LayerErosion, TakesOverWhatIsClosedInAllPixelsThatRaysPass) {
     const float never = in_focus.start(1);
     const TwoLayers before = some_layers(random, never);
     TwoLayers after = before;
+    std::fill(after.has_changed.begin(), after.has_changed.begin() + kTiles, std::uint8_t{0});
     erosion.erode(0, never, after.layers());
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
@@ -117,6 +118,7 @@ TEST(LayerErosion, TakesOverWhatIsClosedInAllPixelsThatRaysPass) {
           continue;
         }
         ++taken;
+        ASSERT_EQ(after.has_changed[tile_at(x, y)], 1);
         ASSERT_EQ(now, std::max(old, least)) << "picture " << i << ", pixel " << x << " " << y;
       }
     }
