@@ -20,23 +20,6 @@ constexpr double kBorder = 1.0 / 6;
 /// at most a quarter of that; one that has more allocates.
 constexpr std::size_t kClosingsOfTile = 16;
 
-/// Layers of a picture of several eyes. Eight cull nearly as much as any larger number, in less time. What the eyes move
-/// things by is proportional to the difference of nearnesses, and more things are far than near. So they are closer to each
-/// other where they are farther away: at the powers of equal steps, to the 9/4. The farthest is beyond everything.
-FocusLayers layers_of(const ConservativeViewport& picture) {
-  FocusLayers layers;
-  if (!picture.is_of_region()) return layers;
-  constexpr double kRoundedUp = 1 + 0x1p-23;
-  const double least = std::min(1 / (2 * picture.depth()), picture.most_focus() / 2);
-  layers.count = 8;
-  for (std::size_t k = 0; k < layers.count; ++k) {
-    const double step = static_cast<double>(k) / static_cast<double>(layers.count - 1);
-    layers.focus[k] =
-        static_cast<float>(least + (picture.most_focus() - least) * (step * step * std::sqrt(std::sqrt(step))) / kRoundedUp);
-  }
-  return layers;
-}
-
 }  // namespace
 
 void CoverBuffer::begin(const FrameView& view, int width, int height, double margin) {
@@ -46,7 +29,7 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   tiles_across_ = width / kTile;
   // With a margin that is negative or not a number, nothing is hidden. Pixels need not be square.
   const double up = margin >= 0 ? margin * (height - 2 * border) : std::numeric_limits<double>::infinity();
-  boxes_ = BoxPicture(picture_, {up * (picture_.scale().x / picture_.scale().y), up}, layers_of(picture_));
+  boxes_ = BoxPicture(picture_, {up * (picture_.scale().x / picture_.scale().y), up}, FocusLayers(picture_));
   const double share = 1 / (height - 2 * border);
   share_of_pixel_ = {share * (picture_.scale().y / picture_.scale().x), share};
   work_ = 0;
@@ -65,6 +48,7 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   nearest_.clear();
   if (!is_of_region()) return;
   nearest_ = farthest_;
+  has_changed_.assign(nearest_.size(), 0);
   erosion_.begin(picture_, layers);
 }
 
@@ -91,11 +75,15 @@ void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
   first_tile_ = 0;
 }
 
-/// The layer farther than the one that boxes just behind the mesh ask. Still farther ones have to wait for join_layers().
-/// They take over nearly all of the mesh; drawing it there, too, would take a quarter longer.
+/// The layer that boxes just behind the mesh ask, or of a box of eyes the next farther one. Still farther ones have to wait
+/// for join_layers(), which knows moves only across and up: of a ball, they take over nearly all of the mesh, and drawing it
+/// there, too, would take a sixth longer.
 std::size_t CoverBuffer::first_layer_of_mesh() const {
+  const std::size_t farther = picture_.eyes().radius > 0 ? 1 : 2;
   std::size_t layer = 0;
-  while (layer + 2 < boxes_.layers.count && boxes_.layers.focus[layer + 2] < rasteriser_.farthest_of_mesh()) ++layer;
+  while (layer + farther < boxes_.layers.count && boxes_.layers.focus[layer + farther] < rasteriser_.farthest_of_mesh()) {
+    ++layer;
+  }
   return layer;
 }
 
@@ -105,7 +93,7 @@ void CoverBuffer::join_layers() {
   for (std::size_t layer = boxes_.layers.count - 1; layer-- > 0;) {
     const std::size_t first = layer * tiles;
     erosion_.erode(layer, boxes_.layers.start(layer + 1),
-                   {&nearness_[first * kTilePixels], &nearest_[first], &farthest_[first]});
+                   {&nearness_[first * kTilePixels], &nearest_[first], &farthest_[first], &has_changed_[first]});
   }
 }
 
@@ -158,12 +146,14 @@ std::optional<PixelRectangle> CoverBuffer::tiles_nearer(const PixelRectangle& r,
   return left;
 }
 
-/// Notes how near the piece will bring pixels of tiles that lie side by side.
+/// Notes how near the piece will bring pixels of tiles that lie side by side, and that it does.
 void CoverBuffer::note_nearest(std::size_t first, std::size_t count) {
   for (std::size_t tile = first; tile < first + count; ++tile) {
     const float nearness = rasteriser_.nearness()[tile - first_tile_];
     const bool is_there = rasteriser_.closed()[tile - first_tile_] != 0 && nearness < std::numeric_limits<float>::infinity();
-    if (is_there) nearest_[tile] = std::max(nearest_[tile], nearness);
+    if (!is_there) continue;
+    nearest_[tile] = std::max(nearest_[tile], nearness);
+    has_changed_[tile] = 1;
   }
 }
 

@@ -184,9 +184,10 @@ class CoverBuffer {
   int tiles_across_ = 0;
   std::size_t first_tile_ = 0;
   std::size_t work_ = 0;
-  std::vector<float> nearness_;        ///< of each pixel, layer after layer, tile after tile; -infinity while it is open
-  std::vector<float> farthest_;        ///< of each tile, the least nearness of its pixels
-  std::vector<float> nearest_;         ///< the same, the most; empty in a picture of one eye
+  std::vector<float> nearness_;            ///< of each pixel, layer after layer, tile after tile; -infinity while it is open
+  std::vector<float> farthest_;            ///< of each tile, the least nearness of its pixels
+  std::vector<float> nearest_;             ///< the same, the most; empty in a picture of one eye
+  std::vector<std::uint8_t> has_changed_;  ///< of each tile of several eyes, as LayerErosion::Layers has it
   std::vector<std::uint32_t> owners_;  ///< ids, or numbers of sheets, in the order of nearness_; empty unless they are kept
   std::vector<float> owned_;           ///< how near the owners are: less than nearness_ where join_layers() found more
   std::vector<DrawnSheet> sheets_;     ///< of several eyes, as owners_

@@ -41,6 +41,7 @@ struct Erosion {
   float never;
   const float *from, *nearest_from;  ///< of the nearer layer
   float *to, *nearest_to, *farthest_to;
+  std::uint8_t *changed_from, *changed_to;
   std::uint8_t* wanted;  ///< of each tile, whether it may come nearer
   std::uint8_t* asked;   ///< of each tile of the nearer layer, whether a tile needs its pixels across
   /// kStrips: a row of tiles of the nearer layer, pixel row by pixel row, with open pixels before and after; and for each
@@ -89,14 +90,15 @@ HWY_INLINE void unpack(const Erosion& e, std::size_t tile_row, std::size_t x) {
   }
 }
 
-/// Makes the other strips of the first one, so that the last has the least of `most` or fewer, but more than half as many.
-HWY_INLINE void double_strips(const Erosion& e, std::size_t most) {
+/// Makes the other strips of the first one, so that the last has the least of `most` or fewer, but more than half as many:
+/// of the columns from `first` to before `end`.
+HWY_INLINE void double_strips(const Erosion& e, std::size_t most, std::ptrdiff_t first, std::ptrdiff_t end) {
   for (std::size_t which = 1; std::size_t{1} << which <= most; ++which) {
-    const std::size_t half = std::size_t{1} << (which - 1), numbers = e.stride() - 2 * half + 1;
+    const std::ptrdiff_t half = std::ptrdiff_t{1} << (which - 1);
     for (std::size_t row = 0; row < kTile; ++row) {
-      const float* const from = e.at(which - 1, row, 0) - kMostReach;
-      float* const to = e.at(which, row, 0) - kMostReach;
-      for (std::size_t i = 0; i < numbers; i += hn::Lanes(kRow)) {
+      const float* const from = e.at(which - 1, row, 0);
+      float* const to = e.at(which, row, 0);
+      for (std::ptrdiff_t i = first; i <= end - 2 * half; i += static_cast<std::ptrdiff_t>(hn::Lanes(kRow))) {
         hn::StoreU(hn::Min(hn::LoadU(kRow, from + i), hn::LoadU(kRow, from + i + half)), kRow, to + i);
       }
     }
@@ -107,15 +109,18 @@ HWY_INLINE void double_strips(const Erosion& e, std::size_t most) {
 HWY_INLINE void find_least_across(const Erosion& e, std::size_t tile_row) {
   const std::uint8_t* const asked = e.asked + tile_row * e.tiles_across;
   std::size_t unpacked = 0, most = 0;
+  auto first = static_cast<std::ptrdiff_t>(e.width()), last = std::ptrdiff_t{0};
   for (std::size_t x = 0; x < e.tiles_across; ++x) {
     if (asked[x] == 0) continue;
     const LayerErosion::Reach& reach = e.across[x];
     const std::size_t left = tiles_of(-reach.low), end = std::min(x + 1 + tiles_of(reach.high), e.tiles_across);
     for (unpacked = std::max(unpacked, x - std::min(x, left)); unpacked < end; ++unpacked) unpack(e, tile_row, unpacked);
     most = std::max(most, reach.count());
+    first = std::min(first, static_cast<std::ptrdiff_t>(x * kTile) + reach.low);
+    last = std::max(last, static_cast<std::ptrdiff_t>(x * kTile + kTile - 1) + reach.high);
   }
   if (most == 0) return;
-  double_strips(e, most);
+  double_strips(e, most, first, last + 1);
   for (std::size_t x = 0; x < e.tiles_across; ++x) {
     if (asked[x] == 0) continue;
     const LayerErosion::Reach& reach = e.across[x];
@@ -175,8 +180,19 @@ HWY_INLINE void bring_nearer(const Erosion& e, std::size_t tile_row, std::size_t
     farthest = hn::Min(farthest, nearness);
     nearest = hn::Max(nearest, nearness);
   }
+  e.changed_to[number] = 1;
   e.farthest_to[number] = hn::GetLane(hn::MinOfLanes(kRow, farthest));
   e.nearest_to[number] = hn::GetLane(hn::MaxOfLanes(kRow, nearest));
+}
+
+/// Whether the nearer layer has changed in tiles of columns and rows from x0 and y0 to x1 and y1.
+HWY_INLINE bool has_changed(const Erosion& e, std::size_t x0, std::size_t x1, std::size_t y0, std::size_t y1) {
+  for (std::size_t y = y0; y <= y1; ++y) {
+    for (std::size_t x = x0; x <= x1; ++x) {
+      if (e.changed_from[y * e.tiles_across + x] != 0) return true;
+    }
+  }
+  return false;
 }
 
 /// Finds the tiles that may come nearer, and those of the nearer layer that are asked for them.
@@ -187,9 +203,12 @@ HWY_INLINE void find_wanted(const Erosion& e) {
     const std::size_t below = std::min(y, tiles_of(-up.low)), above = std::min(e.tiles_up - 1 - y, tiles_of(up.high));
     for (std::size_t x = 0; x < e.tiles_across; ++x) {
       const std::size_t tile = y * e.tiles_across + x;
+      const LayerErosion::Reach& across = e.across[x];
       const float nearest = e.nearest_from[tile];
       const bool is_wanted = nearest > e.never && nearest > e.farthest_to[tile] * (1 + kWorthShare) &&
-                             !e.across[x].is_too_far() && !up.is_too_far();
+                             !across.is_too_far() && !up.is_too_far() &&
+                             has_changed(e, x - std::min(x, tiles_of(-across.low)),
+                                         std::min(x + tiles_of(across.high), e.tiles_across - 1), y - below, y + above);
       e.wanted[tile] = is_wanted ? 1 : 0;
       if (!is_wanted) continue;
       for (std::size_t of = y - below; of <= y + above; ++of) e.asked[of * e.tiles_across + x] = 1;
@@ -211,6 +230,7 @@ void erode(const Erosion& e) {
       bring_nearer(e, y, x, first, end);
     }
   }
+  std::fill(e.changed_from, e.changed_from + e.tiles_across * e.tiles_up, std::uint8_t{0});
 }
 
 }  // namespace HWY_NAMESPACE
@@ -254,8 +274,8 @@ void LayerErosion::erode(std::size_t layer, float never, const Layers& layers) {
   const std::size_t tiles = tiles_across_ * tiles_up_;
   HWY_DYNAMIC_DISPATCH(erode)
   ({tiles_across_, tiles_up_, across_[layer].data(), up_[layer].data(), never, layers.nearness + tiles * kTilePixels,
-    layers.nearest + tiles, layers.nearness, layers.nearest, layers.farthest, wanted_.data(), wanted_.data() + tiles,
-    strip_.data(), rows_.data()});
+    layers.nearest + tiles, layers.nearness, layers.nearest, layers.farthest, layers.has_changed + tiles, layers.has_changed,
+    wanted_.data(), wanted_.data() + tiles, strip_.data(), rows_.data()});
 }
 
 PixelRectangle LayerErosion::through(std::size_t layer, const PixelRectangle& pixels) const {

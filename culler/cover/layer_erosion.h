@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "cover/conservative_viewport.h"
-#include "cover/projected_boxes.h"
+#include "cover/focus_layers.h"
 
 namespace occlude::culler {
 
@@ -34,9 +34,12 @@ class LayerErosion {
   struct Layers {
     float* nearness;            ///< of each pixel
     float *nearest, *farthest;  ///< of each tile, the most and the least of its pixels
+    /// Of each tile, not 0 if a pixel may have come nearer since the layer was last the nearer one.
+    std::uint8_t* has_changed;
   };
   /// Brings those pixels of a layer nearer that are closed as seen through the next nearer one. Leaves tiles as they are in
-  /// which no pixel would come nearer by much. What is not nearer than `never` does not count in the nearer layer.
+  /// which no pixel would come nearer by much. What is not nearer than `never` does not count in the nearer layer. Each call
+  /// for a layer takes up what has changed since the last.
   void erode(std::size_t layer, float never, const Layers& layers);
 
   /// The pixels of the next nearer layer through which the rays of these pixels pass. They may be beyond the picture.

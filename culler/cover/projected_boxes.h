@@ -6,26 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 
 #include "cover/conservative_viewport.h"
+#include "cover/focus_layers.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
-
-/// The layers of a picture of several eyes, from far to near: each has its own plane in focus. Those of one eye are one.
-struct FocusLayers {
-  static constexpr std::size_t kMost = 16;
-
-  std::array<float, kMost> focus{};
-  std::size_t count = 1;
-
-  /// What is not nearer than this cannot hide any box that asks the layer.
-  [[nodiscard]] float start(std::size_t layer) const {
-    return layer == 0 ? -std::numeric_limits<float>::infinity() : focus[layer - 1];
-  }
-};
 
 /// A coarse picture in floats, rounded outwards where it matters.
 class BoxPicture {

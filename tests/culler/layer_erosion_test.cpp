@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <limits>
 #include <random>
@@ -34,6 +35,11 @@ std::size_t pixel_of(int x, int y) {
 struct TwoLayers {
   std::vector<float> nearness = std::vector<float>(2 * kPixels), nearest = std::vector<float>(2 * kTiles),
                      farthest = std::vector<float>(2 * kTiles);
+  std::vector<std::uint8_t> has_changed = std::vector<std::uint8_t>(2 * kTiles, 0);
+
+  [[nodiscard]] LayerErosion::Layers layers() {
+    return {nearness.data(), nearest.data(), farthest.data(), has_changed.data()};
+  }
 
   void find_extremes() {
     for (std::size_t tile = 0; tile < 2 * kTiles; ++tile) {
@@ -44,6 +50,20 @@ struct TwoLayers {
   }
 };
 
+/// Closes a rectangle of a layer, and notes that.
+void close_some(std::mt19937& random, TwoLayers& layers, std::size_t layer, int most_more, float nearness) {
+  const auto some = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };
+  const int x0 = some(kWidth), y0 = some(kHeight);
+  const int x1 = std::min(x0 + 8 + some(most_more), kWidth), y1 = std::min(y0 + 8 + some(most_more), kHeight);
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      float& pixel = layers.nearness[layer * kPixels + pixel_of(x, y)];
+      pixel = std::max(pixel, nearness);
+      layers.has_changed[layer * kTiles + tile_at(x, y)] = 1;
+    }
+  }
+}
+
 /// Large rectangles of different nearnesses, so that much is closed and there are borders of all kinds.
 TwoLayers some_layers(std::mt19937& random, float never) {
   TwoLayers layers;
@@ -51,16 +71,7 @@ TwoLayers some_layers(std::mt19937& random, float never) {
   std::fill(layers.nearness.begin() + kPixels, layers.nearness.end(), never);
   for (int i = 0; i < 24; ++i) {
     const std::size_t layer = random() % 3 == 0 ? 0 : 1;
-    const int x0 = static_cast<int>(random() % kWidth), y0 = static_cast<int>(random() % kHeight);
-    const int x1 = std::min(x0 + 8 + static_cast<int>(random() % 64), kWidth),
-              y1 = std::min(y0 + 8 + static_cast<int>(random() % 64), kHeight);
-    const auto nearness = never * static_cast<float>(uniform(random, 0.5, 4));
-    for (int y = y0; y < y1; ++y) {
-      for (int x = x0; x < x1; ++x) {
-        float& pixel = layers.nearness[layer * kPixels + pixel_of(x, y)];
-        pixel = std::max(pixel, nearness);
-      }
-    }
+    close_some(random, layers, layer, 64, never * static_cast<float>(uniform(random, 0.5, 4)));
   }
   layers.find_extremes();
   return layers;
@@ -70,7 +81,7 @@ TEST(LayerErosion, TakesOverWhatIsClosedInAllPixelsThatRaysPass) {
   const std::uint32_t seed = seed_of(1);
   std::cout << "seed " << seed << "\n";
   std::mt19937 random(seed);
-  std::size_t taken = 0, left = 0;
+  std::size_t taken = 0, left = 0, changed = 0;
   for (int i = 0; i < 400; ++i) {
     Camera camera;
     camera.fov_y_deg = uniform(random, 30, 100);
@@ -87,7 +98,8 @@ TEST(LayerErosion, TakesOverWhatIsClosedInAllPixelsThatRaysPass) {
     const float never = in_focus.start(1);
     const TwoLayers before = some_layers(random, never);
     TwoLayers after = before;
-    erosion.erode(0, never, {after.nearness.data(), after.nearest.data(), after.farthest.data()});
+    std::fill(after.has_changed.begin(), after.has_changed.begin() + kTiles, std::uint8_t{0});
+    erosion.erode(0, never, after.layers());
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         const PixelRectangle r = erosion.through(0, {x, y, x + 1, y + 1});
@@ -106,6 +118,7 @@ TEST(LayerErosion, TakesOverWhatIsClosedInAllPixelsThatRaysPass) {
           continue;
         }
         ++taken;
+        ASSERT_EQ(after.has_changed[tile_at(x, y)], 1);
         ASSERT_EQ(now, std::max(old, least)) << "picture " << i << ", pixel " << x << " " << y;
       }
     }
@@ -114,7 +127,20 @@ TEST(LayerErosion, TakesOverWhatIsClosedInAllPixelsThatRaysPass) {
     ASSERT_EQ(after.nearest, expected.nearest);
     ASSERT_EQ(after.farthest, expected.farthest);
     ASSERT_TRUE(std::equal(after.nearness.begin() + kPixels, after.nearness.end(), before.nearness.begin() + kPixels));
+    ASSERT_TRUE(std::all_of(after.has_changed.begin() + kTiles, after.has_changed.end(), [](auto b) { return b == 0; }));
+
+    // What has changed since then is as good as all.
+    for (int k = 0; k < 3; ++k) close_some(random, after, 1, 16, never * static_cast<float>(uniform(random, 1, 4)));
+    after.find_extremes();
+    TwoLayers whole = after;
+    std::ranges::fill(whole.has_changed, std::uint8_t{1});
+    const std::vector<float> once = after.nearness;
+    erosion.erode(0, never, after.layers());
+    erosion.erode(0, never, whole.layers());
+    ASSERT_EQ(after.nearness, whole.nearness) << "picture " << i;
+    if (after.nearness != once) ++changed;
   }
+  EXPECT_GT(changed, 100U);
   EXPECT_GT(taken, 100000U);
   EXPECT_EQ(left, 0U);
 }

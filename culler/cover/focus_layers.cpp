@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "cover/focus_layers.h"
+
+#include <algorithm>
+
+namespace occlude::culler {
+namespace {
+
+/// What is in focus a little farther away than a box moves by many pixels if it is near, and by hardly any if it is far. But
+/// far away its depth is bounded well only where a layer is near it in proportion. So a step from a layer to the next is the
+/// less of a share of the nearness and of so many pixels that eyes move by, or their harmonic sum. This many pixels are as
+/// far as e times the nearness. With 33 or 50, and half of the next constant with 33, models hide the same up to a point or
+/// two.
+constexpr double kPixelsOfE = 50;
+/// Where the model ends, nearness need not be known better than this share of the depth.
+constexpr double kShareOfDepth = 8;
+
+/// In towns and a castle eight layers cull as much as more, in less time. In Sponza twelve cull a third more for a ball of
+/// 0.25 m.
+constexpr std::size_t kLayers = 8, kLayersOfRooms = FocusLayers::kMost;
+/// A ball that moves what is an eighth of the depth away by more pixels is in a room: in a castle balls of 0.25 m move it by
+/// 1.6, in Sponza balls of 0.1 m by 5. Of boxes of eyes, meshes are drawn into more layers, so that twelve take too long.
+constexpr double kPixelsOfRooms = 3;
+
+/// The nearness of layers, one after the other.
+struct Steps {
+  double first, depth_share, pixels;
+
+  [[nodiscard]] double next(double nearness, double step) const {
+    return nearness + step / (1 / (nearness + depth_share) + pixels / kPixelsOfE);
+  }
+  [[nodiscard]] double after(std::size_t count, double step) const {
+    double nearness = first;
+    for (std::size_t k = 0; k < count; ++k) nearness = next(nearness, step);
+    return nearness;
+  }
+};
+
+/// About how many pixels the eyes move a point of nearness 1 by: aside, and what a move ahead makes of a point halfway from
+/// the middle of the picture.
+double pixels_of_moves(const ConservativeViewport& picture) {
+  const double across = picture.scale().x * picture.reach({1, 0, 0}), up = picture.scale().y * picture.reach({0, 1, 0});
+  return std::max(across, up) + picture.scale().x * picture.eyes_forward() / 2;
+}
+
+}  // namespace
+
+/// The farthest layer is beyond everything.
+FocusLayers::FocusLayers(const ConservativeViewport& picture) {
+  if (!picture.is_of_region()) return;
+  const double most = picture.most_focus(), least = std::min(1 / (2 * picture.depth()), most / 2);
+  const Steps steps{least, kShareOfDepth / picture.depth(), pixels_of_moves(picture)};
+  const bool is_in_room = picture.eyes().radius > 0 && steps.pixels * steps.depth_share > kPixelsOfRooms;
+  count = is_in_room ? kLayersOfRooms : kLayers;
+  // With the longest step the second layer is beyond `most`. Forty halvings leave less than a float can tell.
+  double low = 0, high = (most - least) * (1 / (least + steps.depth_share) + steps.pixels / kPixelsOfE);
+  for (int halving = 0; halving < 40; ++halving) {
+    const double step = (low + high) / 2;
+    (steps.after(count - 1, step) < most ? low : high) = step;
+  }
+  constexpr double kRoundedUp = 1 + 0x1p-23;
+  for (std::size_t k = 0; k < count; ++k) focus[k] = static_cast<float>(steps.after(k, low) / kRoundedUp);
+}
+
+}  // namespace occlude::culler
