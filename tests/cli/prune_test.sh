@@ -44,7 +44,10 @@ same touching.ply 0
 
 # A row of three houses with walls between them, of which the last is open above: the wall to it is seen.
 row='' walls=''
-for x in 0 1 2 3; do row="$row$x 0 0\n$x 1 0\n$x 1 1\n$x 0 1\n" walls="${walls}4 $((4 * x)) $((4 * x + 1)) $((4 * x + 2)) $((4 * x + 3))\n"; done
+for x in 0 1 2 3; do
+  row="$row$x 0 0\n$x 1 0\n$x 1 1\n$x 0 1\n"
+  walls="${walls}4 $((4 * x)) $((4 * x + 1)) $((4 * x + 2)) $((4 * x + 3))\n"
+done
 for x in 0 4 8; do
   for side in '0 1 5 4' '1 2 6 5' '3 0 4 7' '2 3 7 6'; do
     [ $x -eq 8 ] && [ "$side" = '2 3 7 6' ] && continue
