@@ -11,10 +11,8 @@ namespace occlude::cli {
 
 /// The polygons of the tree that lie inside of closed shells of it (closed_shells.h). Exact.
 /// 1. A segment from such a polygon to anywhere outside of the box of the model meets an opaque polygon strictly between.
-/// 2. If `may_touch`, polygons count that touch their shell along the borders of the triangles of their fans. What a ray
-/// from
-///    outside of the model's hull meets first, then, is on an opaque polygon that is not among them, if it is on one that
-///    is.
+/// 2. If `may_touch`, polygons count that touch their shell along the borders of the triangles of their fans. Where a ray
+///    from outside of the model's hull meets one of these first, it meets an opaque polygon there that is not among them.
 [[nodiscard]] std::vector<bool> enclosed_polygons(const culler::Hierarchy& tree, bool may_touch,
                                                   const culler::Checkpoint& checkpoint);
 
