@@ -29,7 +29,7 @@ constexpr double kLargest = 0.25;
 constexpr double kLeastGain = 0.1;
 /// Nothing nearer than this share of the distance of what is asked hides it. Layers of pictures are as much closer to what
 /// is far.
-constexpr double kNear = 1.0 / 16;
+constexpr double kNearOfDistance = 1.0 / 16;
 /// No picture is more than so many times as wide as high, or as high as wide.
 constexpr double kLongestOfDistance = 8;
 /// The tangent of half the least opening of a camera is 2^-17; a picture has more.
@@ -177,7 +177,7 @@ void HiddenSearch::look_closer(const Camera& camera, std::span<Place> places) {
   }
   auto picture = closer(camera, low, high);
   if (polygons.size() < few_ || !picture) return;
-  picture->near_plane = std::max(picture->near_plane, kNear * nearest);
+  picture->near_plane = std::max(picture->near_plane, kNearOfDistance * nearest);
   const double wider = std::sqrt(picture->aspect), side = options_.side;
   look(*picture, static_cast<int>(side * wider), static_cast<int>(side / wider));
   const auto hidden = std::ranges::count_if(polygons, [&](std::uint32_t p) { return is_hidden(p); });
