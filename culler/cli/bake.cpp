@@ -95,10 +95,9 @@ Items items_of(const culler::Hierarchy& hierarchy, const std::string& objects) {
 
 /// The box of each polygon of the tree.
 std::vector<kernel::Aabb> boxes_of(culler::SoupView soup) {
-  std::vector<kernel::Aabb> boxes(soup.size(), culler::empty_box());
-  for (std::size_t p = 0; p < boxes.size(); ++p) {
-    for (const std::uint32_t v : soup.loop(p)) culler::grow(boxes[p], culler::to_kernel(soup.vertices[v]));
-  }
+  std::vector<kernel::Aabb> boxes;
+  boxes.reserve(soup.size());
+  for (std::size_t p = 0; p < soup.size(); ++p) boxes.push_back(soup.box(p));
   return boxes;
 }
 

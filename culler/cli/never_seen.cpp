@@ -25,16 +25,8 @@ namespace {
 
 using Polygons = std::vector<std::uint32_t>;
 
-glm::dvec3 corner_of(const kernel::Aabb& box, unsigned i) {
-  return {(i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
-          (i & 4U) != 0 ? box.max.z : box.min.z};
-}
-
-glm::dvec3 low_of(const kernel::Aabb& box) { return corner_of(box, 0); }
-glm::dvec3 high_of(const kernel::Aabb& box) { return corner_of(box, 7); }
-
 int longest_axis(const kernel::Aabb& box) {
-  const glm::dvec3 size = high_of(box) - low_of(box);
+  const glm::dvec3 size = culler::to_glm(box.max) - culler::to_glm(box.min);
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
 }
 
@@ -44,7 +36,9 @@ double length_of(const kernel::Aabb& box) {
 }
 
 double distance_of(const kernel::Aabb& a, const kernel::Aabb& b) {
-  return glm::length(glm::max(glm::max(low_of(a) - high_of(b), low_of(b) - high_of(a)), glm::dvec3(0)));
+  return glm::length(
+      glm::max(glm::max(culler::to_glm(a.min) - culler::to_glm(b.max), culler::to_glm(b.min) - culler::to_glm(a.max)),
+               glm::dvec3(0)));
 }
 
 /// Both have the numbers where it is divided.
@@ -66,7 +60,7 @@ kernel::Aabb middle_of(const kernel::Aabb& box) {
 /// A camera of all eyes in the cell whose picture has the box, as seen from any of them. None if the eyes are too near.
 std::optional<culler::Camera> camera_for(const kernel::Aabb& cell, const kernel::Aabb& box, double near) {
   culler::Camera camera = culler::camera_of(cell);
-  camera.target = low_of(middle_of(box));
+  camera.target = culler::to_glm(middle_of(box).min);
   const glm::dvec3 sight = glm::abs(camera.target - camera.eye);
   camera.up = sight.z > sight.x && sight.z > sight.y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
   camera.near_plane = std::max(near, kernel::kMinMagnitude);
@@ -76,7 +70,7 @@ std::optional<culler::Camera> camera_for(const kernel::Aabb& cell, const kernel:
   constexpr double kRoom = 1.25, kLeast = 0x1p-10, kMost = 8;
   double width = kLeast * kLeast, height = width;
   for (unsigned i = 0; i < 8; ++i) {
-    const glm::dvec3 to = corner_of(box, i) - camera.eye;
+    const glm::dvec3 to = culler::to_glm(culler::corner(box, i)) - camera.eye;
     const double away = glm::dot(to, forward) - camera.eyes.reach(forward);
     if (!(away > 0)) return std::nullopt;
     width = std::max(width, (std::fabs(glm::dot(to, right)) + camera.eyes.reach(right)) / away);
@@ -109,7 +103,8 @@ bool is_reached(std::uint32_t p, const culler::SoupView& soup, const render::Tre
   std::uint32_t hider = p;
   for (std::size_t i = 0; i < count; ++i) {
     const kernel::Aabb& cell = cells[random() % cells.size()];
-    const glm::dvec3 eye = low_of(cell) + glm::dvec3(share(), share(), share()) * (high_of(cell) - low_of(cell));
+    const glm::dvec3 eye = culler::to_glm(cell.min) +
+                           glm::dvec3(share(), share(), share()) * (culler::to_glm(cell.max) - culler::to_glm(cell.min));
     const std::size_t triangle = 1 + random() % (loop.size() - 2);
     double a = share(), b = share();
     if (a + b > 1) a = 1 - a, b = 1 - b;

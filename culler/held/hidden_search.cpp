@@ -31,7 +31,7 @@ constexpr double kLeastGain = 0.1;
 /// is far.
 constexpr double kNearOfDistance = 1.0 / 16;
 /// No picture is more than so many times as wide as high, or as high as wide.
-constexpr double kLongestOfDistance = 8;
+constexpr double kLongestPicture = 8;
 /// The tangent of half the least opening of a camera is 2^-17; a picture has more.
 constexpr double kLeastOpening = 0x1p-14;
 
@@ -59,7 +59,7 @@ std::optional<Camera> closer(Camera camera, const glm::dvec2& low, const glm::dv
     if (!(away > 0)) return std::nullopt;
     half = glm::max(half, glm::abs(glm::dvec2(glm::dot(corner, axes.right), glm::dot(corner, axes.up))) / away);
   }
-  half = glm::max(half, glm::dvec2(half.y, half.x) / kLongestOfDistance);
+  half = glm::max(half, glm::dvec2(half.y, half.x) / kLongestPicture);
   camera.fov_y_deg = glm::degrees(2 * std::atan(half.y));
   camera.aspect = half.x / half.y;
   return fault(camera).empty() ? std::optional(camera) : std::nullopt;

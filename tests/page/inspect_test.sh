@@ -6,11 +6,7 @@ set -uo pipefail
 tests=$(realpath "$(dirname "$0")")
 . "$tests/../cli/common.sh"
 . "$tests/need_browser.sh"
-page=$tests/../../culler/js/page/site/index.html
-if [ ! -e "$page" ]; then
-  echo "no page (culler/js/page/build.sh): skipped"
-  exit 77
-fi
+. "$tests/need_page.sh"
 inspect() { "$occlude" inspect --page "$page" "$@" >/dev/null || fail "inspect $*"; }
 
 "$occlude" generate city --polygons 20000 --seed 1 --out city.ply --path city.json >/dev/null || fail "generate"

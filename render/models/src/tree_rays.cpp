@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/tree_rays.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace occlude::render {
