@@ -575,7 +575,7 @@ std::string kinds(WorthOfHiding& worth, std::size_t frames, std::size_t hidden, 
   std::string kinds;
   for (std::size_t i = 0; i < frames; ++i) {
     worth.begin_next(FrameView{Camera{}, 100});
-    kinds += "WLSR"[static_cast<std::size_t>(worth.frame())];
+    kinds += "WLSTR"[static_cast<std::size_t>(worth.frame())];
     worth.learn(hidden, drawn, {work, 0, 0});
   }
   return kinds;
@@ -604,18 +604,18 @@ TEST(WorthOfHiding, PaysFromAQuarterOn) {
   EXPECT_EQ(kinds(worth, 40, 0, 0).find('R'), std::string::npos) << "nothing is in view";
   const std::string pays = kinds(worth, 200, 24, 76);
   EXPECT_NE(pays.find('R'), std::string::npos);
-  EXPECT_EQ(pays.find('S', pays.find('R')), std::string::npos);
+  EXPECT_EQ(pays.find('S', pays.find("RRRRRR")), std::string::npos);
   WorthOfHiding small;
   EXPECT_EQ(kinds(small, 20, 0, 100, 10'000), 'L' + std::string(19, 'W'));
-  // Looks come later and later, and one that finds a quarter is enough.
+  // Tries come later and later, and one look that finds a quarter is enough.
   worth = {};
   const std::string rests = kinds(worth, 200, 0, 100);
-  EXPECT_EQ(rests.substr(0, 7), "LSSSRRL") << "a view that begins has hopes";
-  std::vector<std::size_t> looks;
-  for (std::size_t i = rests.find('R'); i < rests.size(); ++i) {
-    if (rests[i] == 'L') looks.push_back(i);
+  EXPECT_EQ(rests.substr(0, 4), "LTRR") << "a try ends the hopes of a view that begins";
+  std::vector<std::size_t> tries;
+  for (std::size_t i = 2; i < rests.size(); ++i) {
+    if (rests[i] != 'R') tries.push_back(rests[i] == 'T' ? i : 0);
   }
-  EXPECT_EQ(looks, (std::vector<std::size_t>{6, 18, 42, 90, 138, 186}));
+  EXPECT_EQ(tries, (std::vector<std::size_t>{13, 37, 85, 133, 181}));
   Camera turned;
   turned.target = {-1, 0, 0};
   WorthOfHiding elsewhere = worth;
@@ -623,10 +623,36 @@ TEST(WorthOfHiding, PaysFromAQuarterOn) {
   EXPECT_EQ(elsewhere.frame(), WorthOfHiding::Frame::looks);
   WorthOfHiding changed = worth;
   changed.begin_next(FrameView{Camera{}, 100}, true);
-  EXPECT_EQ(changed.frame(), WorthOfHiding::Frame::looks) << "though it rested";
+  EXPECT_EQ(changed.frame(), WorthOfHiding::Frame::tries) << "though it rested";
   const std::string again = kinds(worth, 60, 25, 75);
-  const std::size_t look = again.find('L');
-  EXPECT_EQ(again.substr(look, 7), "LSSSSSL");
+  const std::size_t first_try = again.find('T');
+  EXPECT_EQ(again.substr(first_try, 8), "TLSSSSSL");
+}
+
+TEST(WorthOfHiding, ViewsThatTryTakeLittleWork) {
+  CoverOptions options;
+  WorthOfHiding worth;
+  kinds(worth, 1, 0, 100);
+  EXPECT_EQ(worth.limited(options).work, options.work) << "the first frame looks at all";
+  kinds(worth, 1, 0, 100);
+  ASSERT_EQ(worth.frame(), WorthOfHiding::Frame::tries);
+  EXPECT_EQ(worth.limited(options).work, 196'608U);
+  options.work = 1000;
+  EXPECT_EQ(worth.limited(options).work, 1000U) << "a budget is not exceeded";
+}
+
+/// A try that hides a tenth of what is in view leads to a look, one that hides less does not. With a budget below that of a
+/// try, less is enough.
+TEST(WorthOfHiding, ATryTellsWhetherToLook) {
+  const auto first = [](std::size_t hidden, std::size_t work) {
+    WorthOfHiding worth;
+    return kinds(worth, 3, hidden, 100 - hidden, work);
+  };
+  EXPECT_EQ(first(10, 300'000), "LTL");
+  EXPECT_EQ(first(9, 300'000), "LTR");
+  EXPECT_EQ(first(5, 98'304), "LTL");
+  EXPECT_EQ(first(4, 98'304), "LTR");
+  EXPECT_EQ(first(25, 300'000), "LSS") << "what pays is not tried";
 }
 
 /// A picture in which a square hides, and one beside it does not.
