@@ -24,15 +24,15 @@ oracle::Focus focus_of(const Json& object) {
   return {vector("point"), vector("normal"), vector("right")};
 }
 
-std::array<double, 4> rectangle_of(const Json& window) {
-  const Json& rect = member(window, "rect");
-  if (!rect.is_array() || rect.size() != 4) throw LineError("\"rect\": expected [x0, y0, x1, y1]");
-  std::array<double, 4> sides{};
-  for (std::size_t i = 0; i < 4; ++i) sides[i] = number(rect[i], "rect");
-  return sides;
-}
-
 }  // namespace
+
+std::array<double, 4> four_numbers(const Json& object, const char* name) {
+  const Json& numbers = member(object, name);
+  if (!numbers.is_array() || numbers.size() != 4) throw LineError(fmt::format("\"{}\": expected four numbers", name));
+  std::array<double, 4> result{};
+  for (std::size_t i = 0; i < 4; ++i) result[i] = number(numbers[i], name);
+  return result;
+}
 
 Eyes eyes_in(const Json& object) {
   if (!object.contains("eyes")) return std::nullopt;
@@ -74,7 +74,7 @@ std::string fault_of_windows(const oracle::EyeRegion& eyes, const Json& object, 
       throw LineError(fmt::format("\"windows\": more than {}", render::kMostWitnessWindows));
     oracle::Layer layer{focus_of(described), {}};
     for (const Json& window : listed) {
-      const auto [x0, y0, x1, y1] = rectangle_of(window);
+      const auto [x0, y0, x1, y1] = four_numbers(window, "rect");
       if (window.contains("windows") && window.contains("polygons")) throw LineError("both \"polygons\" and \"windows\"");
       if (window.contains("windows")) {
         layer.windows.push_back({x0, y0, x1, y1, layer_of(window)});

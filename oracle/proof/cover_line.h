@@ -13,7 +13,10 @@
 
 namespace occlude::proof {
 
-/// The member "eyes" of a line for a region; none without it. Like the functions below it throws LineError.
+/// The coefficients of a plane, or the sides of a rectangle. Like the functions below it throws LineError.
+[[nodiscard]] std::array<double, 4> four_numbers(const nlohmann::json& object, const char* name);
+
+/// The member "eyes" of a line for a region; none without it.
 [[nodiscard]] Eyes eyes_in(const nlohmann::json& object);
 
 [[nodiscard]] bool contains(const oracle::EyeRegion& eyes, const oracle::Point& eye);

@@ -50,14 +50,6 @@ std::vector<kernel::Aabb> sides_of(const kernel::Aabb& box) {
   return sides;
 }
 
-oracle::HalfSpaceCoefficients half_space_in(const Json& object) {
-  const Json& numbers = member(object, "drawn");
-  if (!numbers.is_array() || numbers.size() != 4) throw LineError("\"drawn\": expected [a, b, c, d]");
-  oracle::HalfSpaceCoefficients half_space{};
-  for (std::size_t i = 0; i < 4; ++i) half_space[i] = number(numbers[i], "drawn");
-  return half_space;
-}
-
 const Json& list_in(const Json& object, const char* name) {
   const Json& list = member(object, name);
   if (!list.is_array()) throw LineError(std::string("\"") + name + "\": expected a list");
@@ -159,7 +151,7 @@ HiddenLine HiddenProver::by_cover(const Json& object) const {
     if (!std::ranges::all_of(polygons_.loop(*p), is_in)) return failed("a polygon is not in the box");
     line.polygons.push_back(*p);
   }
-  const oracle::HalfSpaceCoefficients drawn = half_space_in(object);
+  const oracle::HalfSpaceCoefficients drawn = four_numbers(object, "drawn");
   if (const Eyes eyes = eyes_in(object)) {
     line.failure = hold(eyes, line.from) ? fault_of_windows(*eyes, object, drawn, to_oracle(box), polygons_)
                                          : "an eye is not in the region";

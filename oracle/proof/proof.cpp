@@ -63,14 +63,6 @@ std::vector<Polygon> polygons_of(const Occluder& occluder) {
   return polygons;
 }
 
-std::array<double, 4> plane_of(const Json& object) {
-  const Json& plane = member(object, "plane");
-  if (!plane.is_array() || plane.size() != 4) throw LineError("\"plane\": expected [a, b, c, d]");
-  std::array<double, 4> coefficients{};
-  for (std::size_t i = 0; i < 4; ++i) coefficients[i] = number(plane[i], "plane");
-  return coefficients;
-}
-
 /// 0 when the witness has no margin.
 double margin_of(const Json& object) {
   if (!object.contains("margin")) return 0;
@@ -163,7 +155,7 @@ std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size
   if (eyes && expected.at_infinity) return "a region of eyes is for perspective";
   if (eyes && !contains(*eyes, expected.value)) return "the frame's eye is not in the region";
   if (by == "view") {
-    const auto plane = plane_of(object);
+    const auto plane = four_numbers(object, "plane");
     if (std::string fault = oracle::refute_view_cull(plane, to_oracle(box), margin); !fault.empty()) return fault;
     return may_draw_beyond(plane, camera, model_, eyes)
                ? "the plane cuts what the camera shows (is --size that of the walk?)"

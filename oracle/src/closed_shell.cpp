@@ -17,21 +17,11 @@
 
 #include "feasibility.h"
 #include "numbers.h"
+#include "occludee.h"
 #include "separation.h"
 
 namespace occlude::oracle {
 namespace {
-
-Aabb box_of(const Triangle& triangle) {
-  Aabb box{triangle[0], triangle[0]};
-  for (const Point& corner : triangle) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.min[k] = std::min(box.min[k], corner[k]);
-      box.max[k] = std::max(box.max[k], corner[k]);
-    }
-  }
-  return box;
-}
 
 bool boxes_meet(const Aabb& a, const Aabb& b) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -151,21 +141,16 @@ struct ClosedShell::Prepared {
   void add_node(std::size_t first, std::size_t count) {
     constexpr std::size_t kOfLeaf = 4;
     const std::span part = std::span(triangles).subspan(first, count);
-    Aabb box = box_of(part[0]);
-    for (const Triangle& triangle : part) {
-      const Aabb own = box_of(triangle);
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.min[k] = std::min(box.min[k], own.min[k]);
-        box.max[k] = std::max(box.max[k], own.max[k]);
-      }
-    }
+    std::vector<Point> corners;
+    for (const Triangle& triangle : part) corners.insert(corners.end(), triangle.begin(), triangle.end());
+    const Aabb box = bounding_box(corners);
     const std::size_t node = nodes.size();
     nodes.push_back({box, first, count, 0});
     if (count <= kOfLeaf) return;
     const auto length = [&](std::size_t k) { return box.max[k] - box.min[k]; };
     const std::size_t axis = length(0) >= length(1) && length(0) >= length(2) ? 0 : length(1) >= length(2) ? 1 : 2;
     const auto middle = part.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::ranges::nth_element(part, middle, {}, [&](const Triangle& triangle) { return box_of(triangle).min[axis]; });
+    std::ranges::nth_element(part, middle, {}, [&](const Triangle& triangle) { return bounding_box(triangle).min[axis]; });
     add_node(first, count / 2);
     nodes[node].right = nodes.size();
     add_node(first + count / 2, count - count / 2);
@@ -209,12 +194,12 @@ const std::string& ClosedShell::fault() const { return prepared_->fault; }
 
 std::string ClosedShell::refute_inside(const Triangle& triangle, bool may_touch) const {
   const RoundUpward rounding;
-  const Aabb box = box_of(triangle);
+  const Aabb box = bounding_box(triangle);
   Aabb ray = box;
   ray.max[0] = std::numeric_limits<double>::infinity();
   bool is_odd = false, is_met = false;
   prepared_->visit_near(ray, [&](const Triangle& other) {
-    is_met = boxes_meet(box, box_of(other)) &&
+    is_met = boxes_meet(box, bounding_box(other)) &&
              !(may_touch ? is_apart_without_borders(triangle, other) : are_apart(triangle, other));
     is_odd ^= !is_met && crosses(triangle, other);
     return !is_met;
