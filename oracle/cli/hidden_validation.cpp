@@ -13,11 +13,9 @@
 
 #include "base/parallel.h"
 #include "hidden_claims.h"
-#include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/interrupt.h"
 #include "occlude/render/packing.h"
-#include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 
 namespace occlude::cli {
@@ -81,11 +79,12 @@ class Settling {
   Settling(const proof::ModelPolygons& model, HiddenValidation& result) : claims_(model), result_(result) {}
 
   void take(proof::HiddenLine line, const std::string& place) {
-    if (!line.is_claim && ++result_.witnesses && !line.failure.empty()) return say(is_said_of_lines_, place, line.failure);
     if (line.is_claim) {
       if (claims_.has_proofs()) settle();
       places_.push_back(place);
     } else {
+      ++result_.witnesses;
+      if (!line.failure.empty()) return note(result_.line_fault, place, line.failure);
       ++result_.proved_witnesses;
     }
     claims_.add(std::move(line));
@@ -96,21 +95,20 @@ class Settling {
     result_.pairs += settled.claimed;
     result_.proved_pairs += settled.proved;
     if (const auto& open = settled.first) {
-      say(is_said_of_claims_, places_[open->claim],
-          fmt::format("polygon {} is not proved to be hidden from all of box {}", open->face, open->box));
+      note(result_.claim_fault, places_[open->claim],
+           fmt::format("polygon {} is not proved to be hidden from all of box {}", open->face, open->box));
     }
     places_.clear();
   }
 
  private:
-  static void say(bool& is_said, const std::string& place, const std::string& what) {
-    if (!std::exchange(is_said, true)) render::say(render::printable(fmt::format("{}: {}", place, what)) + "\n");
+  static void note(std::string& first, const std::string& place, const std::string& what) {
+    if (first.empty()) first = fmt::format("{}: {}", place, what);
   }
 
   proof::HiddenClaims claims_;
   std::vector<std::string> places_;  ///< of the claims
   HiddenValidation& result_;
-  bool is_said_of_lines_ = false, is_said_of_claims_ = false;
 };
 
 }  // namespace

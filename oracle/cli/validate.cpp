@@ -352,6 +352,9 @@ void validate_claims(const ValidateArguments& arguments, const render::WalkOptio
   if (!render::is_first_rank()) return;
   if (!passed(result)) exit_code = kCheckFailed;
   arguments.json ? render::print(to_json(result)) : render::tell(to_text(result));
+  for (const std::string& fault : {result.line_fault, result.claim_fault}) {
+    if (!fault.empty()) render::say(render::printable(fault) + "\n");
+  }
   render::finish_printing();
   job.finish();
 }

@@ -244,6 +244,8 @@ if ! command -v mpirun >/dev/null || mpirun -n 1 "$occlude" fuzz --cases 1 --fin
 else
   mpirun --oversubscribe -n 3 "$occlude" "${long[@]}" --out many.pvs >many 2>stderr || fail "mpirun: $(cat stderr)"
   cmp one.pvs many.pvs || fail "mpirun: the bytes differ"
+  mpirun --oversubscribe -n 3 "$occlude" validate door.ply --witness door.jsonl >many_proved 2>stderr || fail "mpirun: $(cat stderr)"
+  "$occlude" validate door.ply --witness door.jsonl | cmp - many_proved || fail "mpirun proves $(cat many_proved)"
   cmp -s <(sed 's/^one//; s/;[^;]*$//' one) <(sed 's/^many//; s/;[^;]*$//' many) || fail "mpirun prints $(cat many)"
   ! compgen -G 'occlude_*_parts' >/dev/null || fail "mpirun leaves parts behind"
 fi
