@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "command_arguments.h"
 #include "commands.h"
 #include "held/hidden_search.h"
+#include "hidden_proofs.h"
 #include "model/bounds.h"
 #include "model/curve_order.h"
 #include "object_list.h"
@@ -27,7 +29,9 @@
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/hidden_witness.h"
 #include "occlude/render/image.h"
+#include "occlude/render/input_limits.h"
 #include "occlude/render/interrupt.h"
 #include "occlude/render/job.h"
 #include "occlude/render/packing.h"
@@ -54,6 +58,7 @@ struct BakeArguments {
   std::vector<Option> reading;  ///< its options
   PathArguments path;
   PartsArguments parts;
+  ProofArguments proofs;
   bool json = false;
   std::string given;  ///< the options on which the sets depend
 };
@@ -133,6 +138,49 @@ class Baker {
     return baked;
   }
 
+  /// For cells of a group, the claim that what the sets lack is hidden, and what proves it: the searches of bake(),
+  /// repeated.
+  [[nodiscard]] std::vector<std::string> proofs(const std::vector<std::uint32_t>& of_group,
+                                                const std::vector<BakedCell>& baked, std::size_t group) const {
+    const culler::Hierarchy& tree = culler_.hierarchy();
+    std::vector<std::string> lines;
+    std::vector<std::vector<bool>> hidden;  // polygons that are said to be hidden, of each cell, and of any of them
+    std::vector<bool> of_any(items_.of_polygon.size());
+    for (const std::uint32_t cell : of_group) {
+      hidden.push_back(hidden_polygons(baked[cell]));
+      std::vector<bool> faces(tree.face_count());
+      for (std::size_t p = 0; p < of_any.size(); ++p) {
+        if (hidden.back()[p]) of_any[p] = faces[tree.face(p)] = true;
+      }
+      lines.push_back(render::claim_from(std::span(&cells_[cell], 1), faces));
+    }
+    kernel::Aabb from{};
+    const std::vector<bool>* wanted = &of_any;
+    culler::HiddenSearch::Options options = search_;
+    options.most_corners = render::kMostCoverVertices;
+    options.found = [&](const culler::Camera& picture, std::span<const std::uint32_t> found,
+                        std::span<const culler::CoverWitness> covers) {
+      std::vector<std::uint32_t> polygons;
+      std::ranges::copy_if(found, std::back_inserter(polygons), [&](std::uint32_t p) { return (*wanted)[p]; });
+      append_hidden(lines, tree, from, picture, polygons, covers);
+    };
+    culler::HiddenSearch search(culler_, boxes_, options);
+    Known from_all = search.nothing();
+    if (const auto box = common_box(this->group(group))) {
+      from = *box;
+      search.look_from(from, from_all);
+    }
+    for (std::size_t i = 0; i < of_group.size(); ++i) {
+      wanted = &hidden[i];
+      for (const kernel::Aabb& piece : pieces_of(cells_[of_group[i]], piece_)) {
+        Known known = from_all;
+        from = piece;
+        search.look_from(piece, known);
+      }
+    }
+    return lines;
+  }
+
  private:
   using Known = culler::HiddenSearch::Known;
   static constexpr std::uint32_t kOfGroup = 16;
@@ -144,12 +192,20 @@ class Baker {
     double longest = 0;
     for (const std::uint32_t cell : group) {
       culler::grow(box, cells_[cell]);
-      longest = std::max(longest, length_of(cells_[cell]));
+      longest = std::max(longest, culler::length_of(cells_[cell]));
     }
-    return group.size() > 1 && length_of(box) <= kMostApart * longest ? std::optional(box) : std::nullopt;
+    return group.size() > 1 && culler::length_of(box) <= kMostApart * longest ? std::optional(box) : std::nullopt;
   }
-  static double length_of(const kernel::Aabb& box) {
-    return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+
+  /// The polygons of the items that the set of the cell lacks.
+  [[nodiscard]] std::vector<bool> hidden_polygons(const BakedCell& cell) const {
+    const std::vector<bool> seen = members_of(cell.items, items_.count);
+    std::vector<bool> hidden(items_.of_polygon.size());
+    for (std::size_t p = 0; p < hidden.size(); ++p) {
+      const std::uint32_t item = items_.of_polygon[p];
+      hidden[p] = item < items_.count && !seen[item];
+    }
+    return hidden;
   }
 
   [[nodiscard]] BakedCell bake(std::uint32_t cell, culler::HiddenSearch& search, const Known& hidden_from_all) const {
@@ -223,6 +279,26 @@ std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint3
   return baked;
 }
 
+/// Writes what proves what the sets of a share of the cells lack.
+void write_set_proofs(render::OutputFile& file, const Baker& baker, const std::vector<BakedCell>& baked,
+                      const ProofArguments& arguments) {
+  constexpr std::size_t kTogether = 16;  // groups
+  render::Progress progress("proofs, group", baker.groups());
+  for (std::size_t first = 0; first < baker.groups(); first += kTogether) {
+    std::vector<std::vector<std::string>> lines(std::min(kTogether, baker.groups() - first));
+    const auto prove = [&](std::size_t i) {
+      std::vector<std::uint32_t> cells;
+      std::ranges::copy_if(baker.group(first + i), std::back_inserter(cells),
+                           [&](auto cell) { return arguments.has(cell); });
+      if (!cells.empty()) lines[i] = baker.proofs(cells, baked, first + i);
+    };
+    culler::parallel_for(lines.size(), prove, render::check_interrupt);
+    for (const std::vector<std::string>& of_group : lines) write_lines(file, of_group);
+    progress.update(first + lines.size());
+  }
+  file.close();
+}
+
 /// The path that a corridor is along.
 render::CameraPath path_of(const BakeArguments& arguments, const render::ModelFile& model, culler::SoupView soup) {
   render::CameraPath path = arguments.path.through(model);
@@ -280,10 +356,11 @@ struct Told {
 struct Outputs {
   explicit Outputs(const BakeArguments& arguments) : sets(arguments.out) {
     if (!arguments.map.empty()) map.emplace(arguments.map);
+    if (!arguments.proofs.file.empty()) proofs.emplace(arguments.proofs.file);
   }
 
   render::OutputFile sets;
-  std::optional<render::OutputFile> map;
+  std::optional<render::OutputFile> map, proofs;
 };
 
 /// Writes what was baked.
@@ -302,6 +379,7 @@ Told write(Outputs& outputs, const VisibleSets& sets, const std::optional<UpAxis
   }
   outputs.sets.commit();
   if (outputs.map) outputs.map->commit();
+  if (outputs.proofs) outputs.proofs->commit();
   return told;
 }
 
@@ -328,9 +406,11 @@ void bake(BakeArguments& arguments) {
   });
   const render::Stopwatch stopwatch;
   culler.prepare(culler::Method::cover, render::check_interrupt);
-  VisibleSets sets{hash, items.count, bake_all(job, Baker(culler, items, std::move(cells), arguments), items.count)};
+  const Baker baker(culler, items, std::move(cells), arguments);
+  VisibleSets sets{hash, items.count, bake_all(job, baker, items.count)};
   if (!outputs) return;
   make_mutual(sets.cells);
+  if (outputs->proofs) write_set_proofs(*outputs->proofs, baker, sets.cells, arguments.proofs);
   Told told = write(*outputs, sets, up);
   told.seconds = stopwatch.seconds();
   job.finish();
@@ -387,6 +467,7 @@ void add_bake(Command app, int&) {
         .show_default()
         .in_range(1e-6, 1.0);
   });
+  a->proofs.add_to(command, "the cells");
   command.add_flag("--json", a->json, "print the counts as JSON");
   a->parts.add_to(command, "bake");
   command.run_on_all_ranks([=] {
@@ -397,7 +478,8 @@ void add_bake(Command app, int&) {
       }
     }
     if (a->path.is_given() && !is_corridor) refuse("--path", "does nothing with --cells " + a->cells);
-    a->given = command.given_but({"MODEL", "--out", "--map", "--json", "--quiet", "--parts", "--resume"});
+    a->given = command.given_but(
+        {"MODEL", "--out", "--map", "--witness", "--witness-share", "--json", "--quiet", "--parts", "--resume"});
     bake(*a);
   });
 }

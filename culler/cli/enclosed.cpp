@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
@@ -85,30 +86,37 @@ class Enclosures {
  public:
   Enclosures(const culler::Hierarchy& tree, bool may_touch, const culler::Checkpoint& checkpoint)
       : tree_(tree), may_touch_(may_touch), shell_(tree.soup().size(), kNone) {
-    std::uint32_t number = 0;
-    for (const Polygons& shell : closed_shells(tree.soup(), checkpoint)) {
-      for (const std::uint32_t p : shell) shell_[p] = number;
-      ++number;
+    shells_ = closed_shells(tree.soup(), checkpoint);
+    for (std::uint32_t number = 0; number < shells_.size(); ++number) {
+      for (const std::uint32_t p : shells_[number]) shell_[p] = number;
     }
   }
 
-  /// Whether closed shells have all triangles of the polygon inside.
-  [[nodiscard]] bool have(std::uint32_t p) const {
+  /// Of each triangle of the polygon the shell that has it inside; nothing unless all of them are inside of one.
+  [[nodiscard]] Polygons around(std::uint32_t p) const {
     const culler::Solid polygon(tree_.soup(), std::span(&p, 1));
-    return std::ranges::all_of(polygon.triangles, [&](const culler::SolidTriangle& triangle) { return have(triangle); });
+    Polygons shells;
+    for (const culler::SolidTriangle& triangle : polygon.triangles) {
+      shells.push_back(around(triangle));
+      if (shells.back() == kNone) return {};
+    }
+    return shells;
   }
+
+  [[nodiscard]] std::vector<Polygons> take_shells() { return std::move(shells_); }
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  [[nodiscard]] bool have(const culler::SolidTriangle& triangle) const {
+  [[nodiscard]] std::uint32_t around(const culler::SolidTriangle& triangle) const {
     const kernel::Vec3 point = point_in(triangle);
     std::map<std::uint32_t, Polygons> crossed;  // of each shell, by the ray along x on which is_inside() decides
     const kernel::Aabb ray{point, {tree_.nodes()[0].box.max.x, point.y, point.z}};
     for_each_of_shells(ray, [&](std::uint32_t other) { crossed[shell_[other]].push_back(other); });
-    return std::ranges::any_of(crossed, [&](const auto& shell) {
+    const auto found = std::ranges::find_if(crossed, [&](const auto& shell) {
       return is_inside(culler::Solid(tree_.soup(), shell.second), point) && leaves_room_for(shell.first, triangle, point);
     });
+    return found == crossed.end() ? kNone : found->first;
   }
 
   /// Whether the shell meets neither the triangle nor the way from there to the point. The triangle's borders count unless
@@ -151,23 +159,30 @@ class Enclosures {
 
   const culler::Hierarchy& tree_;
   bool may_touch_;
+  std::vector<Polygons> shells_;
   Polygons shell_;  ///< of each polygon, the number of its shell, if it has one
 };
 
 }  // namespace
 
-std::vector<bool> enclosed_polygons(const culler::Hierarchy& tree, bool may_touch, const culler::Checkpoint& checkpoint) {
-  const Enclosures enclosures(tree, may_touch, checkpoint);
+Enclosed enclosed_polygons(const culler::Hierarchy& tree, bool may_touch, const culler::Checkpoint& checkpoint) {
+  Enclosures enclosures(tree, may_touch, checkpoint);
   constexpr std::size_t kBlock = 1024;
   const std::size_t count = tree.soup().size();
-  std::vector<std::uint8_t> is_enclosed(count);
+  std::vector<Polygons> around(count);
   const auto find = [&](std::size_t block) {
     for (std::size_t p = block * kBlock; p < std::min(count, (block + 1) * kBlock); ++p) {
-      is_enclosed[p] = enclosures.have(static_cast<std::uint32_t>(p)) ? 1 : 0;
+      around[p] = enclosures.around(static_cast<std::uint32_t>(p));
     }
   };
   culler::parallel_for((count + kBlock - 1) / kBlock, find, checkpoint);
-  return {is_enclosed.begin(), is_enclosed.end()};
+  Enclosed enclosed;
+  for (std::uint32_t p = 0; p < count; ++p) {
+    enclosed.polygons.push_back(!around[p].empty());
+    for (std::uint32_t k = 0; k < around[p].size(); ++k) enclosed.triangles.push_back({{p, k + 1}, around[p][k]});
+  }
+  enclosed.shells = enclosures.take_shells();
+  return enclosed;
 }
 
 }  // namespace occlude::cli

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <random>
@@ -28,17 +29,6 @@ using Polygons = std::vector<std::uint32_t>;
 int longest_axis(const kernel::Aabb& box) {
   const glm::dvec3 size = culler::to_glm(box.max) - culler::to_glm(box.min);
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
-
-double length_of(const kernel::Aabb& box) {
-  const int axis = longest_axis(box);
-  return box.max[axis] - box.min[axis];
-}
-
-double distance_of(const kernel::Aabb& a, const kernel::Aabb& b) {
-  return glm::length(
-      glm::max(glm::max(culler::to_glm(a.min) - culler::to_glm(b.max), culler::to_glm(b.min) - culler::to_glm(a.max)),
-               glm::dvec3(0)));
 }
 
 /// Both have the numbers where it is divided.
@@ -84,13 +74,6 @@ std::optional<culler::Camera> camera_for(const kernel::Aabb& cell, const kernel:
   return fault(camera).empty() ? std::optional(camera) : std::nullopt;
 }
 
-culler::CullOptions cull_options(const SearchOptions& options) {
-  culler::CullOptions cull;
-  cull.method = culler::Method::cover;
-  cull.cover.width = cull.cover.height = static_cast<int>(options.cover_size);
-  return cull;
-}
-
 /// Whether a segment from a random eye seems to reach polygon p. Only what is worth asking depends on it.
 bool is_reached(std::uint32_t p, const culler::SoupView& soup, const render::TreeRays& rays,
                 std::span<const kernel::Aabb> cells, std::size_t count) {
@@ -128,7 +111,10 @@ struct Ask {
 class Search {
  public:
   Search(const culler::Culler& culler, const SearchOptions& options)
-      : culler_(culler), cull_(cull_options(options)), is_given_up_(culler.hierarchy().soup().size()) {}
+      : culler_(culler),
+        cull_(cull_options_of(options)),
+        keeps_looks_(options.keeps_looks),
+        is_given_up_(culler.hierarchy().soup().size()) {}
 
   /// What of the polygons of these asks is hidden, of each from its cell, with at most so many culls; these are deducted.
   /// Wide before narrow: all asks are answered before any is divided, so that what asks for least is found first.
@@ -136,11 +122,16 @@ class Search {
     while (!asks.empty()) {
       give_up_beyond(asks, culls);
       culls -= asks.size();
+      std::vector<Look> looks(asks.size());
       const auto look = [&](std::size_t i) {
         culler::View view;
-        asks[i].polygons = shown_of(asks[i], view);
+        Polygons shown = shown_of(asks[i], view, looks[i].cameras);
+        looks[i].cell = asks[i].cell;
+        std::ranges::set_difference(asks[i].polygons, shown, std::back_inserter(looks[i].hidden));
+        asks[i].polygons = std::move(shown);
       };
       culler::parallel_for(asks.size(), look, render::check_interrupt);
+      if (keeps_looks_) std::ranges::move(looks, std::back_inserter(looks_));
       std::vector<Ask> parts;
       for (Ask& ask : asks) divide(std::move(ask), parts);
       asks = std::move(parts);
@@ -148,6 +139,13 @@ class Search {
   }
 
   [[nodiscard]] bool is_given_up(std::uint32_t p) const { return is_given_up_[p]; }
+
+  /// What is left of all looks without what was given up.
+  [[nodiscard]] std::vector<Look> take_looks() {
+    for (Look& look : looks_) std::erase_if(look.hidden, [&](std::uint32_t p) { return is_given_up_[p]; });
+    std::erase_if(looks_, [](const Look& look) { return look.hidden.empty(); });
+    return std::move(looks_);
+  }
 
  private:
   /// Gives polygons up until there are no more asks than this: first those that are in the most asks.
@@ -182,12 +180,12 @@ class Search {
     constexpr double kWide = 4, kFinest = 64;
     if (ask.polygons.empty()) return;
     const kernel::Aabb box = box_of(ask.polygons);
-    const double length = length_of(ask.cell);
-    if (ask.polygons.size() > 1 && length_of(box) > kWide * length) {
+    const double length = culler::length_of(ask.cell);
+    if (ask.polygons.size() > 1 && culler::length_of(box) > kWide * length) {
       const auto middle = ask.polygons.begin() + static_cast<std::ptrdiff_t>(ask.polygons.size() / 2);
       parts.push_back({ask.cell, {ask.polygons.begin(), middle}});
       parts.push_back({ask.cell, {middle, ask.polygons.end()}});
-    } else if (length * kFinest > distance_of(ask.cell, box)) {
+    } else if (length * kFinest > culler::distance(ask.cell, box)) {
       const auto [one, other] = halves_of(ask.cell);
       parts.push_back({one, ask.polygons});
       parts.push_back({other, std::move(ask.polygons)});
@@ -196,14 +194,15 @@ class Search {
     }
   }
 
-  /// Those that culls for all eyes of the cell do not hide.
-  [[nodiscard]] Polygons shown_of(const Ask& ask, culler::View& view) const {
+  /// Those that culls for all eyes of the cell do not hide. Adds the cameras of these culls.
+  [[nodiscard]] Polygons shown_of(const Ask& ask, culler::View& view, std::vector<culler::Camera>& cameras) const {
     const kernel::Aabb box = box_of(ask.polygons);
     const std::span<const culler::HierarchyNode> nodes = culler_.hierarchy().nodes();
     // Of what hides, nothing is before the model, and little so near.
-    const double near = std::max(distance_of(ask.cell, nodes[0].box), distance_of(ask.cell, box) / 2) / 32;
+    const double near = std::max(culler::distance(ask.cell, nodes[0].box), culler::distance(ask.cell, box) / 2) / 32;
     Polygons polygons = ask.polygons, shown;
     if (const auto camera = camera_for(ask.cell, box, near)) {  // what lies beyond the picture is not hidden
+      cameras.push_back(*camera);
       for (const culler::Culled& culled : culler_.cull(*camera, cull_, view).culled) {
         if (culled.by != culler::Culled::By::cover) continue;
         const culler::HierarchyNode& node = nodes[culled.node];
@@ -213,6 +212,7 @@ class Search {
       return polygons;
     }
     for (const culler::Camera& side : culler::cameras_around(ask.cell)) {
+      cameras.push_back(side);
       for (const auto& [first, count] : culler_.cull(side, cull_, view).drawn) {
         const auto begin = std::ranges::lower_bound(polygons, first),
                    end = std::ranges::lower_bound(polygons, first + count);
@@ -232,15 +232,19 @@ class Search {
 
   const culler::Culler& culler_;
   culler::CullOptions cull_;
+  bool keeps_looks_;
+  std::vector<Look> looks_;
   std::vector<bool> is_given_up_;  ///< of each polygon, whether it is not asked for any more, and counts as seen
 };
 
 /// The cells, divided into as many parts as this at most, the longest first, but not into shorter ones than are worth it.
 std::vector<kernel::Aabb> divided(std::vector<kernel::Aabb> cells, const kernel::Aabb& model, std::size_t most) {
   constexpr double kFirst = 6;  // a cell that looks longer from the model hides little
-  const auto is_longer = [](const kernel::Aabb& a, const kernel::Aabb& b) { return length_of(a) < length_of(b); };
+  const auto is_longer = [](const kernel::Aabb& a, const kernel::Aabb& b) {
+    return culler::length_of(a) < culler::length_of(b);
+  };
   std::ranges::make_heap(cells, is_longer);
-  while (cells.size() < most && length_of(cells.front()) * kFirst > distance_of(cells.front(), model)) {
+  while (cells.size() < most && culler::length_of(cells.front()) * kFirst > culler::distance(cells.front(), model)) {
     const auto halves = halves_of(cells.front());
     std::ranges::pop_heap(cells, is_longer);
     cells.back() = halves[0];
@@ -253,9 +257,16 @@ std::vector<kernel::Aabb> divided(std::vector<kernel::Aabb> cells, const kernel:
 
 }  // namespace
 
-std::vector<bool> never_seen(const culler::Culler& culler, const std::vector<kernel::Aabb>& cells,
-                             const std::vector<bool>& candidates, const SearchOptions& options,
-                             const std::function<void(std::size_t done, std::size_t all)>& progress) {
+culler::CullOptions cull_options_of(const SearchOptions& options) {
+  culler::CullOptions cull;
+  cull.method = culler::Method::cover;
+  cull.cover.width = cull.cover.height = static_cast<int>(options.cover_size);
+  return cull;
+}
+
+NeverSeen never_seen(const culler::Culler& culler, const std::vector<kernel::Aabb>& cells,
+                     const std::vector<bool>& candidates, const SearchOptions& options,
+                     const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const culler::SoupView& soup = culler.hierarchy().soup();
   const render::TreeRays rays(culler.hierarchy());
   std::vector<std::uint8_t> is_asked(candidates.size());
@@ -291,9 +302,9 @@ std::vector<bool> never_seen(const culler::Culler& culler, const std::vector<ker
     std::erase_if(hidden, [&](std::uint32_t p) { return search.is_given_up(p); });
     progress(end, parts.size());
   }
-  std::vector<bool> is_hidden(is_asked.size());
-  for (const std::uint32_t p : hidden) is_hidden[p] = true;
-  return is_hidden;
+  NeverSeen found{std::vector<bool>(is_asked.size()), search.take_looks()};
+  for (const std::uint32_t p : hidden) found.polygons[p] = true;
+  return found;
 }
 
 }  // namespace occlude::cli

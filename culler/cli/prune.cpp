@@ -8,27 +8,35 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "cells.h"
 #include "command_arguments.h"
 #include "commands.h"
 #include "enclosed.h"
+#include "hidden_proofs.h"
+#include "model/bounds.h"
 #include "never_seen.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/validity.h"
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/hidden_witness.h"
 #include "occlude/render/interrupt.h"
 #include "occlude/render/model_parts.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/witness.h"
 #include "path_arguments.h"
 
 namespace occlude::cli {
@@ -47,25 +55,31 @@ struct PruneArguments {
   SearchOptions search;
   ReadArguments read;
   PathArguments path;
+  ProofArguments proofs;
   bool json = false;
 };
 
-/// Flat cells that every line of sight from outside of the box's hull crosses. Behind an eye out there, there is nothing:
-/// what it sees is seen from any other place on the line farther out. So cells may be far away, where they cost less.
+/// The sides of a box around the model: flat cells that every line of sight from outside of the model's hull crosses. Behind
+/// an eye out there, there is nothing: what it sees is seen from any other place on the line farther out. So cells may be
+/// far away, where they cost less.
 std::vector<kernel::Aabb> cells_outside(const kernel::Aabb& box) {
-  double longest = 0;
-  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, box.max[axis] - box.min[axis]);
+  std::vector<kernel::Aabb> cells(6, box);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const int axis = static_cast<int>(i / 2);
+    (i % 2 == 0 ? cells[i].min[axis] : cells[i].max[axis]) = i % 2 == 0 ? box.max[axis] : box.min[axis];
+  }
+  return cells;
+}
+
+/// A box around that of the model, as far from it as the model is long.
+kernel::Aabb box_around(const kernel::Aabb& box) {
+  const double longest = culler::length_of(box);
   kernel::Aabb grown = box;
   for (int axis = 0; axis < 3; ++axis) {
     grown.min[axis] = kernel::flushed(box.min[axis] - longest);
     grown.max[axis] = kernel::flushed(box.max[axis] + longest);
   }
-  std::vector<kernel::Aabb> cells(6, grown);
-  for (std::size_t i = 0; i < 6; ++i) {
-    const int axis = static_cast<int>(i / 2);
-    (i % 2 == 0 ? cells[i].min[axis] : cells[i].max[axis]) = i % 2 == 0 ? grown.max[axis] : grown.min[axis];
-  }
-  return cells;
+  return grown;
 }
 
 /// Boxes of all eyes no farther than `reach`, along each axis, from the way from each frame's eye to the next.
@@ -180,18 +194,96 @@ std::string to_text(const std::string& file, const Cut& cut, const std::vector<R
 std::string extension_of(const fs::path& file) { return file.extension().string(); }
 
 /// The polygons of the tree that are never seen.
-std::vector<bool> unseen(const PruneArguments& arguments, const culler::Culler& culler,
-                         const std::vector<kernel::Aabb>& cells) {
+struct Unseen {
+  Enclosed enclosed;  ///< from outside
+  NeverSeen others;
+
+  [[nodiscard]] bool has(std::size_t p) const { return enclosed.polygons[p] || others.polygons[p]; }
+};
+
+Unseen find_unseen(const PruneArguments& arguments, const culler::Culler& culler, const std::vector<kernel::Aabb>& cells) {
   const culler::Hierarchy& tree = culler.hierarchy();
-  std::vector<bool> is_unseen(tree.soup().size());
-  if (arguments.from == kOutside) is_unseen = enclosed_polygons(tree, arguments.touching, render::check_interrupt);
-  std::vector<bool> candidates = is_unseen;
+  Unseen unseen{{std::vector<bool>(tree.soup().size()), {}, {}}, {}};
+  if (arguments.from == kOutside) unseen.enclosed = enclosed_polygons(tree, arguments.touching, render::check_interrupt);
+  std::vector<bool> candidates = unseen.enclosed.polygons;
   candidates.flip();
   culler.prepare(culler::Method::cover, render::check_interrupt);
   render::Watch watch("cells, part");
-  const std::vector<bool> found = never_seen(culler, cells, candidates, arguments.search, std::ref(watch));
-  for (std::size_t p = 0; p < found.size(); ++p) is_unseen[p] = is_unseen[p] || found[p];
-  return is_unseen;
+  unseen.others = never_seen(culler, cells, candidates, arguments.search, std::ref(watch));
+  return unseen;
+}
+
+/// A share of the faces that go.
+std::vector<bool> chosen_faces(const std::vector<bool>& gone, const ProofArguments& proofs) {
+  std::vector<bool> faces(gone.size());
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < gone.size(); ++i) faces[i] = gone[i] && proofs.has(number++);
+  return faces;
+}
+
+/// What proves that triangles of these faces are inside of closed shells. A shell is named again for as many triangles as it
+/// has polygons.
+std::vector<std::string> proofs_by_shells(const culler::Hierarchy& tree, const Enclosed& enclosed,
+                                          const std::vector<bool>& faces) {
+  constexpr std::size_t kLeast = 1024;
+  std::vector<std::vector<culler::FanTriangle>> inside(enclosed.shells.size());
+  for (const auto& [triangle, shell] : enclosed.triangles) {
+    if (faces[tree.face(triangle.polygon)]) inside[shell].push_back(triangle);
+  }
+  std::vector<std::string> lines;
+  for (std::size_t shell = 0; shell < inside.size(); ++shell) {
+    const std::span<const culler::FanTriangle> all = inside[shell];
+    const std::size_t of_line = std::max(kLeast, enclosed.shells[shell].size());
+    for (std::size_t i = 0; i < all.size(); i += of_line) {
+      lines.push_back(
+          render::shell_witness(tree, all.subspan(i, std::min(of_line, all.size() - i)), enclosed.shells[shell]));
+    }
+  }
+  return lines;
+}
+
+/// What proves that polygons of these faces are hidden from the cell of a look: its culls, repeated.
+std::vector<std::string> proofs_of_look(const Look& look, const culler::Culler& culler, const culler::CullOptions& cull,
+                                        const std::vector<bool>& faces) {
+  const culler::Hierarchy& tree = culler.hierarchy();
+  std::vector<std::uint32_t> wanted;
+  std::ranges::copy_if(look.hidden, std::back_inserter(wanted), [&](std::uint32_t p) { return faces[tree.face(p)]; });
+  std::vector<std::string> lines;
+  for (const culler::Camera& camera : look.cameras) {
+    if (wanted.empty()) break;
+    culler::View view;
+    const culler::CullResult& frame = culler.cull(camera, cull, view);
+    const std::vector<culler::CoverWitness> covers = render::covers_of(culler, camera, frame, cull);
+    append_hidden(lines, tree, look.cell, camera, wanted, covers);
+    for (const culler::CoverWitness& cover : covers) {
+      const auto [first, count] = cover.range;
+      wanted.erase(std::ranges::lower_bound(wanted, first), std::ranges::lower_bound(wanted, first + count));
+    }
+  }
+  return lines;
+}
+
+/// Writes what proves that a share of what goes is never seen.
+void write_prune_proofs(render::OutputFile& file, const PruneArguments& arguments, const culler::Culler& culler,
+                        const std::vector<kernel::Aabb>& cells, const Unseen& unseen, const std::vector<bool>& gone) {
+  const culler::Hierarchy& tree = culler.hierarchy();
+  const std::vector<bool> faces = chosen_faces(gone, arguments.proofs);
+  const bool is_outside = arguments.from == kOutside;
+  write_lines(file, {is_outside ? render::claim_outside(box_around(tree.nodes()[0].box), arguments.touching, faces)
+                                : render::claim_from(cells, faces)});
+  write_lines(file, proofs_by_shells(tree, unseen.enclosed, faces));
+  constexpr std::size_t kTogether = 64;
+  const culler::CullOptions cull = cull_options_of(arguments.search);
+  const std::vector<Look>& looks = unseen.others.looks;
+  render::Progress progress("proofs, cull", looks.size());
+  for (std::size_t first = 0; first < looks.size(); first += kTogether) {
+    std::vector<std::vector<std::string>> lines(std::min(kTogether, looks.size() - first));
+    const auto prove = [&](std::size_t i) { lines[i] = proofs_of_look(looks[first + i], culler, cull, faces); };
+    culler::parallel_for(lines.size(), prove, render::check_interrupt);
+    for (const std::vector<std::string>& of_look : lines) write_lines(file, of_look);
+    progress.update(first + lines.size());
+  }
+  file.close();
 }
 
 void prune(PruneArguments& arguments) {
@@ -199,6 +291,8 @@ void prune(PruneArguments& arguments) {
   if ((arguments.from == kCells) != !arguments.cells.empty()) refuse("--cells", "goes with --from cells");
   if (arguments.touching && arguments.from != kOutside) refuse("--touching", "goes with --from outside");
   render::OutputFile file(arguments.out);
+  std::optional<render::OutputFile> proofs;
+  if (!arguments.proofs.file.empty()) proofs.emplace(arguments.proofs.file);
   const render::FileParts parts = render::parts_of(arguments.model);
   render::WalkOptions walk;
   walk.read = arguments.read.options();
@@ -210,17 +304,21 @@ void prune(PruneArguments& arguments) {
   if (arguments.from == kCells) cells = read_cells(arguments.cells);
   const culler::Culler culler = render::make_culler(std::move(model), walk);
   const culler::Hierarchy& tree = culler.hierarchy();
-  if (arguments.from == kOutside) cells = cells_outside(tree.nodes()[0].box);
+  if (arguments.from == kOutside) cells = cells_outside(box_around(tree.nodes()[0].box));
 
-  const std::vector<bool> is_unseen = unseen(arguments, culler, cells);
+  arguments.search.keeps_looks = proofs.has_value();
+  const Unseen unseen = find_unseen(arguments, culler, cells);
   std::vector<bool> gone(tree.face_count(), true);
-  for (std::size_t p = 0; p < is_unseen.size(); ++p) {
-    if (!is_unseen[p]) gone[tree.face(p)] = false;
+  for (std::size_t p = 0; p < tree.soup().size(); ++p) {
+    if (!unseen.has(p)) gone[tree.face(p)] = false;
   }
   const Cut cut = cut_of(parts.parts, std::move(gone), arguments.keep);
   if (std::ranges::count(cut.gone, false) == 0) refuse("--from", "nothing of the model is seen from there");
+  if (proofs) write_prune_proofs(*proofs, arguments, culler, cells, unseen, cut.gone);
   file.write(render::without_faces(arguments.model, cut.gone));
+  file.close();
   file.commit();
+  if (proofs) proofs->commit();
   if (!parts.files.empty() &&
       !fs::equivalent(fs::absolute(arguments.out).parent_path(), fs::absolute(arguments.model).parent_path())) {
     warn(arguments.out, fmt::format("it names files that lie beside {}: {}", arguments.model, fmt::join(parts.files, ", ")));
@@ -273,6 +371,7 @@ void add_prune(Command app, int&) {
         .show_default()
         .in_range(std::size_t{culler::kLeastCoverSide}, std::size_t{culler::kMostCoverSide});
   });
+  a->proofs.add_to(command, "the polygons that go");
   command.add_flag("--json", a->json, "print the counts as JSON");
   command.run([a] { prune(*a); });
 }

@@ -110,6 +110,15 @@ std::size_t size_of(const Changes& set) {
   return size;
 }
 
+std::vector<bool> members_of(const Changes& set, std::size_t count) {
+  std::vector<bool> is_in(count);
+  for (std::size_t i = 0; i < set.size(); i += 2) {
+    const std::size_t end = i + 1 < set.size() ? set[i + 1] : count;
+    std::fill(is_in.begin() + set[i], is_in.begin() + static_cast<std::ptrdiff_t>(end), true);
+  }
+  return is_in;
+}
+
 bool is_before(const kernel::Aabb& a, const kernel::Aabb& b) {
   const auto key = [](const kernel::Aabb& box) {
     return std::tuple(box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);

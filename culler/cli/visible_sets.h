@@ -17,6 +17,8 @@ using Changes = std::vector<std::uint32_t>;
 
 [[nodiscard]] Changes changes_of(const std::vector<bool>& set);
 [[nodiscard]] std::size_t size_of(const Changes& set);
+/// Which of the numbers below `count` are in it.
+[[nodiscard]] std::vector<bool> members_of(const Changes& set, std::size_t count);
 
 struct BakedCell {
   kernel::Aabb box;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Names what hides each cull by cover. It culls the frame again and keeps which group closed which pixel.
+// It culls the frame again and keeps which group closed which pixel.
+#include "frame/cover_witness.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +16,7 @@
 #include "cover/cull_by_cover.h"
 #include "cover/drawn_groups.h"
 #include "frame/begin_frame.h"
+#include "frame/culler_access.h"
 #include "frame/view_memory.h"
 #include "occlude/culler/culler.h"
 
@@ -40,11 +44,20 @@ class CoverReplay {
 
   void culled(const Culled& culled) {
     if (culled.by != Culled::By::cover) return;
-    const kernel::Aabb& box = hierarchy_.nodes()[culled.node].box;
-    prove(culled.node, memory_.buffer.is_of_region() ? memory_.buffer.hidden_at(box) : CoverBuffer::Footprint{});
+    prove(culled.node, footprint_of(hierarchy_.nodes()[culled.node].box));
+  }
+
+  /// REQUIRES: the picture hides the box of the polygon.
+  void prove_polygon(std::uint32_t p) {
+    const kernel::Aabb box = hierarchy_.soup().box(p);
+    witnesses_.push_back(witness_of({p, 1}, box, footprint_of(box)));
   }
 
  private:
+  [[nodiscard]] CoverBuffer::Footprint footprint_of(const kernel::Aabb& box) const {
+    return memory_.buffer.is_of_region() ? memory_.buffer.hidden_at(box) : CoverBuffer::Footprint{};
+  }
+
   /// `at` is where the node is hidden from several eyes.
   void prove(std::uint32_t node, const CoverBuffer::Footprint& at) {
     const HierarchyNode& n = hierarchy_.nodes()[node];
@@ -140,27 +153,36 @@ class CoverReplay {
   DrawnGroups drawn_;
 };
 
-}  // namespace
-
+/// Appends what hides each cull of the frame, and each of the asked polygons.
 template <class AnyCamera>
-void Culler::append_covers_of(const CullResult& frame, const AnyCamera& camera, const CullOptions& options, std::size_t most,
-                              std::vector<CoverWitness>& witnesses) const {
+void replay(const Culler& culler, const CullResult& frame, const AnyCamera& camera, const CullOptions& options,
+            std::size_t most, std::span<const std::uint32_t> asked, std::vector<CoverWitness>& witnesses) {
   if (frame.method != Method::cover) return;
   require_sound(camera);
+  const Hierarchy& hierarchy = culler.hierarchy();
   const CullOptions same = repeated(frame, options);
   View::Memory memory;
-  begin_frame(hierarchy_, camera, same, memory);
-  cull_by_cover(hierarchy_, tree(), triangles(), same, memory.frame, memory.cover, memory.leaves, memory.idle,
-                CoverReplay(hierarchy_, memory.cover, most, witnesses));
+  begin_frame(hierarchy, camera, same, memory);
+  CoverReplay cover(hierarchy, memory.cover, most, witnesses);
+  cull_by_cover(hierarchy, CullerAccess::tree(culler), CullerAccess::triangles(culler), same, memory.frame, memory.cover,
+                memory.leaves, memory.idle, cover);
+  for (const std::uint32_t p : asked) cover.prove_polygon(p);
+}
+
+}  // namespace
+
+void append_covers(const Culler& culler, const CullResult& frame, const Camera& camera, const CullOptions& options,
+                   std::size_t most, std::span<const std::uint32_t> asked, std::vector<CoverWitness>& witnesses) {
+  replay(culler, frame, camera, options, most, asked, witnesses);
 }
 
 void Culler::append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
                            std::vector<CoverWitness>& witnesses) const {
-  append_covers_of(frame, camera, options, most, witnesses);
+  replay(*this, frame, camera, options, most, {}, witnesses);
 }
 void Culler::append_covers(const CullResult& frame, const MatrixCamera& camera, const CullOptions& options, std::size_t most,
                            std::vector<CoverWitness>& witnesses) const {
-  append_covers_of(frame, camera, options, most, witnesses);
+  replay(*this, frame, camera, options, most, {}, witnesses);
 }
 
 }  // namespace occlude::culler

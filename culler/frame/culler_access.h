@@ -15,6 +15,7 @@ namespace occlude::culler {
 struct CullerAccess {
   [[nodiscard]] static const OccluderSet& occluders(const Culler& culler) { return culler.occluders(); }
   [[nodiscard]] static BlockTree tree(const Culler& culler) { return culler.tree(); }
+  [[nodiscard]] static const CoverTriangles& triangles(const Culler& culler) { return culler.triangles(); }
   [[nodiscard]] static Culler with(const Culler& culler, OccluderSet occluders) { return {culler, std::move(occluders)}; }
 };
 

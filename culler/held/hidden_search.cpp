@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "cover/asked_box.h"
+#include "frame/cover_witness.h"
 #include "frame/view_memory.h"
 #include "held/around_box.h"
 #include "model/bounds.h"
@@ -34,12 +35,6 @@ constexpr double kNearOfDistance = 1.0 / 16;
 constexpr double kLongestPicture = 8;
 /// The tangent of half the least opening of a camera is 2^-17; a picture has more.
 constexpr double kLeastOpening = 0x1p-14;
-
-double distance(const kernel::Aabb& a, const kernel::Aabb& b) {
-  glm::dvec3 apart{};
-  for (int axis = 0; axis < 3; ++axis) apart[axis] = std::max({0.0, a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]});
-  return glm::length(apart);
-}
 
 glm::dvec2 opening_of(const Camera& camera) {
   const double up = std::tan(glm::radians(camera.fov_y_deg) / 2);
@@ -92,18 +87,34 @@ void HiddenSearch::look_from(const kernel::Aabb& eyes, Known& known) {
   }
 }
 
+/// Names what hides those that the frame found.
+void HiddenSearch::tell(const Camera& camera, const CullResult& frame, std::span<const std::uint32_t> by_themselves) {
+  if (found_.empty()) return;
+  std::vector<CoverWitness> covers;
+  append_covers(culler_, frame, camera, cull_, options_.most_corners, by_themselves, covers);
+  std::ranges::sort(found_);
+  options_.found(camera, found_, covers);
+}
+
 /// Asks all that a frame draws, and all other boxes, by themselves.
 void HiddenSearch::look(const Camera& camera, int width, int height) {
   if (options_.before) options_.before();
+  found_.clear();
+  const std::size_t polygons = culler_.hierarchy().soup().size();
+  const auto hide = [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = first; options_.found && i < first + count; ++i) {
+      if (!is_hidden(i) && i < polygons) found_.push_back(i);
+    }
+    std::fill_n(known_->is_hidden.begin() + first, count, std::uint8_t{1});
+  };
   cull_.cover.width = width;
   cull_.cover.height = height;
   const CullResult& frame = culler_.cull(camera, cull_, view_);
   const std::span nodes = culler_.hierarchy().nodes();
   for (const Culled& culled : frame.culled) {
-    if (culled.by != Culled::By::cover) continue;
-    const auto first = known_->is_hidden.begin() + nodes[culled.node].first;
-    std::fill(first, first + nodes[culled.node].count, std::uint8_t{1});
+    if (culled.by == Culled::By::cover) hide(nodes[culled.node].first, nodes[culled.node].count);
   }
+  const std::size_t by_nodes = found_.size();
   asked_.clear();
   const auto ask = [&](std::size_t first, std::size_t end) {
     for (auto i = static_cast<std::uint32_t>(first); i < end; ++i) {
@@ -111,8 +122,10 @@ void HiddenSearch::look(const Camera& camera, int width, int height) {
     }
   };
   for (const auto& [first, count] : frame.drawn) ask(first, first + count);
-  ask(culler_.hierarchy().soup().size(), boxes_.size());
-  for_each_hidden(memory_of(view_).cover.buffer, boxes_, asked_, [&](std::uint32_t i) { known_->is_hidden[i] = 1; });
+  ask(polygons, boxes_.size());
+  for_each_hidden(memory_of(view_).cover.buffer, boxes_, asked_, [&](std::uint32_t i) { hide(i, 1); });
+  const Polygons by_themselves(found_.begin() + static_cast<std::ptrdiff_t>(by_nodes), found_.end());
+  tell(camera, frame, by_themselves);
 }
 
 /// Where those of the polygons are that are not hidden, have their middle in the picture and are not too near.

@@ -20,6 +20,12 @@ class HiddenSearch {
     int side = 0;                  ///< of a coarse picture in pixels. A closer one of another shape has as many
     double closer = 1;             ///< a closer picture is worth its time with this share of all polygons that are seen
     std::function<void()> before;  ///< called before each picture
+    /// Called, if there is one, after each picture that hides polygons of which it was not known. They are given in
+    /// ascending order, and then what hides them, and others: all have the picture's eyes. A subtree has one witness if what
+    /// hides it has at most `most_corners`.
+    std::function<void(const Camera& picture, std::span<const std::uint32_t> found, std::span<const CoverWitness> covers)>
+        found = {};
+    std::size_t most_corners = 0;
   };
 
   /// The boxes are those of the polygons of the culler's tree, and others after them. REQUIRES: kernel::check() refuses none
@@ -51,6 +57,7 @@ class HiddenSearch {
   };
 
   void look(const Camera& camera, int width, int height);
+  void tell(const Camera& camera, const CullResult& frame, std::span<const std::uint32_t> by_themselves);
   void look_closer(const Camera& camera, std::span<Place> places);
   [[nodiscard]] bool is_hidden(std::uint32_t i) const { return known_->is_hidden[i] != 0; }
   struct Places {
@@ -68,6 +75,7 @@ class HiddenSearch {
   CullOptions cull_;
   View view_;
   Polygons asked_;
+  Polygons found_;  ///< by the last picture; only if that is to be told
 };
 
 }  // namespace occlude::culler

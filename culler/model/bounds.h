@@ -56,6 +56,18 @@ inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kerne
   return farthest.x + farthest.y + farthest.z;
 }
 
+/// The longest edge of a non-empty box.
+[[nodiscard]] inline double length_of(const kernel::Aabb& box) {
+  return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+}
+
+/// Between the points of two boxes that are nearest to each other.
+[[nodiscard]] inline double distance(const kernel::Aabb& a, const kernel::Aabb& b) {
+  glm::dvec3 apart{};
+  for (int axis = 0; axis < 3; ++axis) apart[axis] = std::max({0.0, a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]});
+  return glm::length(apart);
+}
+
 /// Half the surface of a non-empty box.
 [[nodiscard]] inline double half_area(const kernel::Aabb& box) {
   const double x = box.max.x - box.min.x, y = box.max.y - box.min.y, z = box.max.z - box.min.z;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Reads a line of a witness file of a small model. It must be refused with a message, proved or disproved.
+// Reads a line of a witness file of a small model, of a walk or of what is hidden from boxes. It must be refused with a
+// message, proved or disproved.
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 
+#include "hidden_proof.h"
 #include "occlude/culler/hierarchy.h"
 #include "proof.h"
 
@@ -27,15 +29,24 @@ culler::PolygonSoup small_model() {
   return soup;
 }
 
+const culler::Hierarchy& tree() {
+  static const auto instance = culler::Hierarchy::build(small_model(), {2});
+  return instance;
+}
+
+const proof::HiddenProver& hidden_prover() {
+  static const proof::HiddenProver instance(tree());
+  return instance;
+}
+
 const proof::Prover& prover() {
-  static const auto hierarchy = culler::Hierarchy::build(small_model(), {2});
-  static const proof::Prover instance(hierarchy, {2, [](std::size_t frame) {
-                                                    culler::Camera camera;
-                                                    camera.eye = {0, 0, static_cast<double>(frame)};
-                                                    camera.aspect = 1;
-                                                    camera.far_plane = 100;
-                                                    return camera;
-                                                  }});
+  static const proof::Prover instance(tree(), {2, [](std::size_t frame) {
+                                                 culler::Camera camera;
+                                                 camera.eye = {0, 0, static_cast<double>(frame)};
+                                                 camera.aspect = 1;
+                                                 camera.far_plane = 100;
+                                                 return camera;
+                                               }});
   return instance;
 }
 
@@ -44,10 +55,15 @@ const proof::Prover& prover() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace occlude;
-  try {
-    static_cast<void>(harness::prover().prove({reinterpret_cast<const char*>(data), size}));
-  } catch (const cases::LineError&) {
-    // This is the only way to refuse a line.
-  }
+  const std::string_view line(reinterpret_cast<const char*>(data), size);
+  const auto try_by = [&](const auto& prover) {
+    try {
+      static_cast<void>(prover.prove(line));
+    } catch (const cases::LineError&) {
+      // This is the only way to refuse a line.
+    }
+  };
+  try_by(harness::prover());
+  try_by(harness::hidden_prover());
   return 0;
 }

@@ -14,12 +14,12 @@ import zipfile
 FILES = {"ply ascii": "a.ply", "ply binary": "a.ply", "obj": "a.obj", "stl": "a.stl", "gltf": "a.gltf", "glb": "a.glb",
          "collada": "a.dae", "3mf": "a.3mf", "path": "a.json", "matrices": "a.csv",
          "gltf camera": "a.gltf", "collada camera": "a.dae", "cases": "a.jsonl", "witnesses": "a.jsonl",
-         "log": "a.jsonl", "binary log": "a.log",
+         "hidden": "a.jsonl", "log": "a.jsonl", "binary log": "a.log",
          "preprocess": "a.store", "store": "a.store"}
 SOUND = "sound"  # what is done to a file to which nothing is done
 MODELS = pathlib.Path(__file__).resolve().parents[2] / "tests" / "data" / "models"
 IMPORTED = ("stl", "gltf", "glb", "collada", "3mf", "gltf camera", "collada camera")
-JSON = ("path", "cases", "witnesses", "log")
+JSON = ("path", "cases", "witnesses", "hidden", "log")
 
 
 def command(name, seeds):
@@ -35,6 +35,8 @@ def command(name, seeds):
         return ["classify", file]
     if name == "witnesses":
         return ["validate", model, "--path", path, "--exact-up-to", "1000", "--witness", file]
+    if name == "hidden":
+        return ["validate", model, "--witness", file]
     if name.endswith("log"):
         return ["audit", model, "--log", file, "--item-buffers", "0"]
     return ["walk", file, "--path", path, *walk]
@@ -276,6 +278,11 @@ def pack_3mf(write_model, more=()):
     return file.getvalue()
 
 
+# A claim from outside, and a shell, of nothing.
+SHELL = (b'{"claim":[],"outside":{"min":[-9,-9,-9],"max":[99,9,9]},"touching":true}\n'
+         b'{"hidden":[],"shell":[]}\n')
+
+
 def make_seeds(occlude, folder):
     """Sound files, by format; what `occlude` itself writes is written by it."""
     def ask(*arguments):
@@ -285,6 +292,8 @@ def make_seeds(occlude, folder):
     (folder / "path.json").write_text(json.dumps(PATH))
     ask("walk", "model.ply", "--path", "path.json", "--no-render", "--out", "seed", "--witness", "witness.jsonl",
         "--cases", "cases.jsonl")
+    (folder / "cells.json").write_text(json.dumps({"cells": [{"min": [0, -0.25, 0], "max": [0.5, 0.25, 0.25]}]}))
+    ask("bake", "model.ply", "--cells", "cells.json", "--out", "model.pvs", "--witness", "hidden.jsonl")
     ask("preprocess", "model.ply", "--out", "model.store", "--region-count", "8", "--samples", "1")
     cases = (folder / "cases.jsonl").read_bytes().splitlines(True)[:20]
     polytope = (b'{"id":"block","eye":[0,0,0],"occluder":{"vertices":[[2,0,-1],[4,0,-1],[4,2,-1],[2,2,-1],[2,0,1],[4,0,1],'
@@ -299,6 +308,7 @@ def make_seeds(occlude, folder):
             "path": [json.dumps(PATH, indent=1).encode(), json.dumps({"matrices": MATRICES, "near": 0.1}).encode()],
             "matrices": [matrices()], "gltf camera": [gltf_camera()], "collada camera": [collada_camera()],
             "cases": [b"".join(cases) + polytope, polytope], "witnesses": [(folder / "witness.jsonl").read_bytes()],
+            "hidden": [(folder / "hidden.jsonl").read_bytes(), SHELL],
             "log": [log(), gzip.compress(log())], "binary log": [binary_log(), gzip.compress(binary_log())],
             "preprocess": [(folder / "model.store").read_bytes()], "store": [(folder / "model.store").read_bytes()]}
 
@@ -787,6 +797,7 @@ BOMBS = {"ply ascii": ply_bombs, "ply binary": ply_bombs, "obj": obj_bombs, "stl
          "glb": glb_bombs,
          "collada": collada_bombs, "3mf": bombs_3mf, "path": path_bombs, "matrices": matrix_bombs,
          "gltf camera": gltf_bombs, "collada camera": collada_bombs, "cases": case_bombs, "witnesses": json_bombs,
+         "hidden": json_bombs,
          "log": log_bombs, "binary log": binary_log_bombs,
          "preprocess": preprocess_bombs}
 

@@ -20,13 +20,13 @@
 #include "commands.h"
 #include "culling.h"
 #include "failures.h"
+#include "hidden_validation.h"
 #include "item_buffers.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/input_limits.h"
 #include "occlude/render/job.h"
 #include "occlude/render/packing.h"
 #include "occlude/render/printable.h"
@@ -52,13 +52,9 @@ struct ValidateArguments {
   std::size_t exact_up_to = 2000;
   bool matrix = false, scene = false, json = false;
   PartsArguments parts;
-  std::string given;  ///< the options on which results depend
+  std::string given;    ///< the options on which results depend
+  std::string of_walk;  ///< those that are about walks
 };
-
-/// A batch has enough lines to keep all threads busy, and few enough to keep memory small. It also ends when it has as many
-/// bytes as the longest legal line, because parsed JSON takes many times that.
-constexpr std::size_t kBatch = 2048;
-constexpr std::size_t kBatchBytes = render::kMostJson;
 
 /// Where witnesses come from.
 class Witnesses {
@@ -112,18 +108,6 @@ class WitnessesAnew final : public Witnesses {
   std::vector<std::string> lines_;  ///< of the frame before the next one
   std::size_t begun_ = 0, line_ = 0;
 };
-
-std::string pack_lines(const std::vector<Place>& places) {
-  render::Packer packer;
-  for (const Place& place : places) packer.put(place.line);
-  return packer.bytes();
-}
-
-std::vector<std::string> unpack_lines(const std::string& bytes) {
-  std::vector<std::string> lines;
-  for (render::Unpacker unpacker(bytes); !unpacker.is_empty();) lines.push_back(unpacker.text());
-  return lines;
-}
 
 /// Proves the witnesses of a part. The result has an entry for each line, up to the first that is not a witness.
 std::string prove(const proof::Prover& prover, const std::vector<std::string>& lines) {
@@ -181,12 +165,7 @@ class Proving {
   };
 
   [[nodiscard]] std::optional<std::string> next(Witnesses& witnesses) {
-    std::vector<Place> places;
-    for (std::size_t bytes = 0; places.size() < kBatch && bytes < kBatchBytes; bytes += places.back().line.size()) {
-      std::optional<Place> place = witnesses.next();
-      if (!place) break;
-      places.push_back(std::move(*place));
-    }
+    const std::vector<Place> places = next_part([&] { return witnesses.next(); });
     if (places.empty()) return std::nullopt;
     asked_.emplace_back();
     for (const Place& place : places) asked_.back().push_back({place.name, place.number, place.frame});
@@ -358,6 +337,28 @@ std::uint64_t key_of(const ValidateArguments& arguments, const render::CameraPat
   return digest.value();
 }
 
+/// Proves a file of bake or prune, which has no path.
+void validate_claims(const ValidateArguments& arguments, const render::WalkOptions& options, WitnessFile& witnesses,
+                     int& exit_code) {
+  if (!arguments.of_walk.empty()) {
+    refuse(arguments.of_walk.substr(0, arguments.of_walk.find_first_of("=\n")), "is for witnesses of a walk");
+  }
+  const culler::Culler culler = render::make_culler(open_model(arguments.model, options), options);
+  render::Job job(arguments.parts.keeping(), [&] {
+    render::Digest digest;
+    return add(digest.add(arguments.given), culler.hierarchy().soup()).add(culler.hierarchy().faces()).value();
+  });
+  const HiddenValidation result = validate_hidden(job, culler.hierarchy(), witnesses);
+  if (!render::is_first_rank()) return;
+  if (!passed(result)) exit_code = kCheckFailed;
+  arguments.json ? render::print(to_json(result)) : render::tell(to_text(result));
+  for (const std::string& fault : {result.line_fault, result.claim_fault}) {
+    if (!fault.empty()) render::say(render::printable(fault) + "\n");
+  }
+  render::finish_printing();
+  job.finish();
+}
+
 void validate(ValidateArguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
@@ -366,6 +367,7 @@ void validate(ValidateArguments& arguments, int& exit_code) {
   require_readable_by_all(arguments.witness);
   std::optional<WitnessFile> witnesses;
   if (!is_anew) options.build.hierarchy.leaf_size = witnesses.emplace(arguments.witness).leaf_size();
+  if (witnesses && witnesses->has_claims()) return validate_claims(arguments, options, *witnesses, exit_code);
   std::optional<FailureFiles> files = failure_files(arguments.out);
   render::ModelFile model = open_model(arguments.model, options);
   const render::CameraPath path = arguments.path.through(model);
@@ -432,8 +434,10 @@ void add_validate(Command app, int& exit_code) {
   add_input(command, "MODEL", a->model, "the model walked through").required();
   a->path.add_to(command, "camera path");
   Option region = a->path.add_region_to(command);
-  Option witness = add_input(command, "--witness", a->witness,
-                             "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
+  Option witness =
+      add_input(command, "--witness", a->witness,
+                "prove this file of `occlude walk --witness`, or of bake or prune, which take no path; without it, cull "
+                "anew and prove that");
   command
       .add("--exact-up-to", a->exact_up_to,
            "triangles of the largest model whose culled triangles are held against exact visibility; 0: none")
@@ -457,6 +461,8 @@ void add_validate(Command app, int& exit_code) {
   command.run_on_all_ranks([a, command, &exit_code] {
     a->given = command.given_but(
         {"MODEL", "--path", "--preprocess", "--witness", "--out", "--json", "--quiet", "--parts", "--resume"});
+    a->of_walk = command.given_but(
+        {"MODEL", "--witness", "--opaque-all", "--up", "--unit", "--json", "--quiet", "--parts", "--resume"});
     validate(*a, exit_code);
   });
 }

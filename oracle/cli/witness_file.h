@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A file of `occlude walk --witness`, line by line.
+// A file of `occlude walk --witness`, or of `bake` or `prune`, line by line.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "occlude/render/line_reader.h"
 
@@ -27,6 +29,8 @@ class WitnessFile {
 
   /// Hierarchy::leaf_size() of the tree that the first line is about. Of an empty file: of any tree.
   [[nodiscard]] std::uint32_t leaf_size() const { return leaf_size_; }
+  /// Whether it begins with a claim, as those of `bake` and `prune` do.
+  [[nodiscard]] bool has_claims() const { return has_claims_; }
   /// The next witness, none at the end.
   [[nodiscard]] std::optional<Place> next();
   /// Bytes read so far, and the size of the file; the size of a pipe is 0.
@@ -39,6 +43,15 @@ class WitnessFile {
   render::LineReader lines_;
   std::optional<Place> next_;
   std::uint32_t leaf_size_ = 1;
+  bool has_claims_ = false;
 };
+
+/// As many lines as are proved as one part: enough to keep all threads busy, and few enough to keep memory small. None at
+/// the end.
+[[nodiscard]] std::vector<Place> next_part(const std::function<std::optional<Place>()>& next);
+
+[[nodiscard]] std::string pack_lines(const std::vector<Place>& places);
+/// Throws PartError for bytes that are no lines.
+[[nodiscard]] std::vector<std::string> unpack_lines(const std::string& bytes);
 
 }  // namespace occlude::cli

@@ -6,16 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <utility>
 
 #include "border.h"
 #include "cases/case_line.h"
 #include "cases/to_oracle.h"
+#include "cover_line.h"
 #include "occlude/culler/cull_result.h"
-#include "occlude/oracle/cover.h"
-#include "occlude/render/input_limits.h"
 
 namespace occlude::proof {
 namespace {
@@ -65,14 +63,6 @@ std::vector<Polygon> polygons_of(const Occluder& occluder) {
   return polygons;
 }
 
-std::array<double, 4> plane_of(const Json& object) {
-  const Json& plane = member(object, "plane");
-  if (!plane.is_array() || plane.size() != 4) throw LineError("\"plane\": expected [a, b, c, d]");
-  std::array<double, 4> coefficients{};
-  for (std::size_t i = 0; i < 4; ++i) coefficients[i] = number(plane[i], "plane");
-  return coefficients;
-}
-
 /// 0 when the witness has no margin.
 double margin_of(const Json& object) {
   if (!object.contains("margin")) return 0;
@@ -81,32 +71,9 @@ double margin_of(const Json& object) {
   return margin;
 }
 
-std::array<std::size_t, 2> run_of(const Json& triangles, const char* name) {
-  if (!triangles.is_array() || triangles.size() != 2 || !triangles[0].is_number_unsigned() ||
-      !triangles[1].is_number_unsigned()) {
-    throw LineError(fmt::format("\"{}\": expected [first, count]", name));
-  }
-  return {triangles[0].get<std::size_t>(), triangles[1].get<std::size_t>()};
-}
-
 std::array<double, 3> key(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 std::array<double, 3> key(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
-
-/// The member "eyes" of a cull that holds for a region.
-Eyes eyes_in(const Json& object) {
-  if (!object.contains("eyes")) return std::nullopt;
-  const Json& eyes = object["eyes"];
-  if (!eyes.is_object()) throw LineError("\"eyes\": expected an object");
-  if (object.contains("eye")) throw LineError("both \"eye\" and \"eyes\"");
-  if (eyes.contains("radius") && eyes.contains("half_edges"))
-    throw LineError("\"eyes\": both \"radius\" and \"half_edges\"");
-  const oracle::Point center = to_oracle(vec3(member(eyes, "center"), "center"));
-  if (eyes.contains("radius")) return oracle::Ball{center, number(eyes["radius"], "radius")};
-  const std::vector<kernel::Vec3> half_edges = vec3s(member(eyes, "half_edges"), "half_edges");
-  if (half_edges.size() != 3) throw LineError("\"half_edges\": expected three vectors");
-  return oracle::Obb{center, {to_oracle(half_edges[0]), to_oracle(half_edges[1]), to_oracle(half_edges[2])}};
-}
 
 /// A frame that holds for a region is proved for that region, and for no less.
 std::string fault_of_eyes(const Eyes& eyes, const AnyCamera& camera) {
@@ -114,32 +81,6 @@ std::string fault_of_eyes(const Eyes& eyes, const AnyCamera& camera) {
   if (!own || viewpoint_of(camera).at_infinity) return "";
   if (!eyes) return "the frame holds for a region of eyes, and the line is of one";
   return eyes == own ? "" : "the eyes are not the frame's";
-}
-
-bool contains(const oracle::EyeRegion& eyes, const oracle::Point& eye) {
-  return std::visit([&](const auto& kind) { return oracle::contains(kind, eye); }, eyes);
-}
-
-/// Adds a polygon to a cover. `vertices` are those of the line so far.
-void add(oracle::Loop loop, std::vector<oracle::Loop>& cover, std::size_t& vertices) {
-  vertices += loop.size();
-  if (vertices > render::kMostWitnessVertices)
-    throw LineError(fmt::format("\"polygons\": more than {} vertices", render::kMostWitnessVertices));
-  cover.push_back(std::move(loop));
-}
-
-oracle::Focus focus_of(const Json& object) {
-  const Json& focus = member(object, "focus");
-  const auto vector = [&](const char* name) { return to_oracle(vec3(member(focus, name), name)); };
-  return {vector("point"), vector("normal"), vector("right")};
-}
-
-std::array<double, 4> rectangle_of(const Json& window) {
-  const Json& rect = member(window, "rect");
-  if (!rect.is_array() || rect.size() != 4) throw LineError("\"rect\": expected [x0, y0, x1, y1]");
-  std::array<double, 4> sides{};
-  for (std::size_t i = 0; i < 4; ++i) sides[i] = number(rect[i], "rect");
-  return sides;
 }
 
 /// Compares polygons vertex by vertex. A polygon is given by its index in the soup or by its vertices.
@@ -178,18 +119,13 @@ std::uint32_t leaf_size_of(std::string_view line) {
   return leaf_size_in(parse_object(line)).value_or(culler::leaf_size_for(culler::Method::frusta));
 }
 
-Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_(hierarchy), cameras_(std::move(cameras)) {
+Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras)
+    : hierarchy_(hierarchy), polygons_(hierarchy), cameras_(std::move(cameras)) {
   const culler::SoupView soup = hierarchy.soup();
   for (std::size_t p = 0; p <= soup.size(); ++p) first_triangle_.push_back(hierarchy.first_triangle(p));
-  place_.resize(soup.size());
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
-    place_[hierarchy.original(p)] = p;
     if (soup.is_opaque(p)) by_vertices_.push_back(p);
   }
-  for (std::uint32_t i = 0; i < soup.size(); ++i) {
-    if (i == 0 || hierarchy.face(place_[i]) != hierarchy.face(place_[i - 1])) first_piece_.push_back(i);
-  }
-  first_piece_.push_back(static_cast<std::uint32_t>(soup.size()));
   std::stable_sort(by_vertices_.begin(), by_vertices_.end(), LessByVertices{soup});
   model_ = to_oracle(box_of_triangles(0, first_triangle_.back()));
 }
@@ -219,7 +155,7 @@ std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size
   if (eyes && expected.at_infinity) return "a region of eyes is for perspective";
   if (eyes && !contains(*eyes, expected.value)) return "the frame's eye is not in the region";
   if (by == "view") {
-    const auto plane = plane_of(object);
+    const auto plane = four_numbers(object, "plane");
     if (std::string fault = oracle::refute_view_cull(plane, to_oracle(box), margin); !fault.empty()) return fault;
     return may_draw_beyond(plane, camera, model_, eyes)
                ? "the plane cuts what the camera shows (is --size that of the walk?)"
@@ -228,13 +164,15 @@ std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size
   if (by != "shadow" && by != "cover") return "\"by\": expected \"view\", \"shadow\" or \"cover\"";
 
   if (by == "cover" && margin != 0) return "a cover has no margin";
-  if (by == "cover" && eyes) return fault_of_region(*eyes, object, camera, box);
+  if (by == "cover" && eyes) {
+    return fault_of_windows(*eyes, object, drawn_of_sheets(camera, model_, eyes), to_oracle(box), polygons_);
+  }
   if (eyes && margin != 0) return "a shadow for a region of eyes has no margin";
   if (eyes) return fault_of_umbra(*eyes, object, camera, box, first, count);
   const kernel::Viewpoint view = viewpoint(object);
   const oracle::Viewpoint said = to_oracle(view);
   if (said.at_infinity != expected.at_infinity || said.value != expected.value) return "the viewpoint is not the frame's";
-  if (by == "cover") return fault_of_cover(member(object, "polygons"), view, camera, box);
+  if (by == "cover") return fault_of_polygons(said, object, drawn(camera, model_), to_oracle(box), polygons_);
   std::vector<oracle::Shadow> shadows;
   for (const Json& described : occluders_of(object)) {
     if (std::string fault = fault_of_occluder(described, camera, {}, first, count); !fault.empty()) return fault;
@@ -253,100 +191,6 @@ std::string Prover::fault_of_umbra(const oracle::EyeRegion& eyes, const Json& ob
   const oracle::Answer answer = oracle::relation_to_umbra(eyes, to_oracle(occluder(occluders[0])), to_oracle(box));
   if (!answer.refusal.empty()) return answer.refusal;
   return answer.relation == oracle::Relation::inside ? "" : "the box is not in the shadow from every eye";
-}
-
-std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint& view, const AnyCamera& camera,
-                                   const Box& box) const {
-  std::size_t vertices = 0;
-  const auto [cover, fault] = cover_of(polygons, vertices);
-  if (!fault.empty()) return fault;
-  const oracle::Answer answer = oracle::relation_to_cover(to_oracle(view), cover, to_oracle(box), drawn(camera, model_));
-  if (!answer.refusal.empty()) return answer.refusal;
-  return answer.relation == oracle::Relation::inside ? "" : "the polygons do not hide the box";
-}
-
-std::string Prover::fault_of_region(const oracle::EyeRegion& eyes, const Json& object, const AnyCamera& camera,
-                                    const Box& box) const {
-  const oracle::HalfSpaceCoefficients beyond_near = drawn_of_sheets(camera, model_, eyes);
-  std::map<std::pair<Json, Json>, oracle::Sheet> sheets;  // windows side by side have the same one
-  std::size_t windows = 0, vertices = 0;
-  std::string fault;
-  const auto sheet_of = [&](const Json& window) {
-    const std::pair key(member(window, "polygons"), window.value("triangles", Json::array()));
-    auto found = sheets.find(key);
-    if (found != sheets.end()) return found->second;
-    auto [cover, fault_of_cover] = cover_of(key.first, vertices);
-    if (fault_of_cover.empty()) fault_of_cover = append_triangles(key.second, cover, vertices);
-    if (fault.empty()) fault = fault_of_cover;
-    return sheets.emplace(key, oracle::Sheet(cover, beyond_near)).first->second;
-  };
-  const std::function<oracle::Layer(const Json&)> layer_of = [&](const Json& described) {
-    const Json& listed = member(described, "windows");
-    if (!listed.is_array()) throw LineError("\"windows\": expected a list");
-    windows += listed.size();
-    if (windows > render::kMostWitnessWindows)
-      throw LineError(fmt::format("\"windows\": more than {}", render::kMostWitnessWindows));
-    oracle::Layer layer{focus_of(described), {}};
-    for (const Json& window : listed) {
-      const auto [x0, y0, x1, y1] = rectangle_of(window);
-      if (window.contains("windows") && window.contains("polygons")) throw LineError("both \"polygons\" and \"windows\"");
-      if (window.contains("windows")) {
-        layer.windows.push_back({x0, y0, x1, y1, layer_of(window)});
-      } else {
-        layer.windows.push_back({x0, y0, x1, y1, sheet_of(window)});
-      }
-    }
-    return layer;
-  };
-  const oracle::RegionWitness witness{eyes, to_oracle(box), layer_of(object)};
-  return fault.empty() ? oracle::judge(witness).reason : fault;
-}
-
-Prover::CoverOrFault Prover::cover_of(const Json& polygons, std::size_t& vertices) const {
-  if (!polygons.is_array()) throw LineError("\"polygons\": expected a list of numbers of polygons");
-  std::vector<oracle::Loop> cover;
-  for (const Json& named : polygons) {
-    const std::optional<std::uint32_t> p = polygon_of(named);
-    if (!p) return {{}, "no such polygon"};
-    if (!hierarchy_.soup().is_opaque(*p)) return {{}, "a see-through polygon hides nothing"};
-    oracle::Loop loop;
-    for (const std::uint32_t index : hierarchy_.soup().loop(*p)) {
-      loop.push_back(key(hierarchy_.soup().vertices[index]));
-    }
-    add(std::move(loop), cover, vertices);
-  }
-  return {std::move(cover), ""};
-}
-
-/// Adds triangles of fans, each named by its polygon and the second of its corners.
-std::string Prover::append_triangles(const Json& triangles, std::vector<oracle::Loop>& cover, std::size_t& vertices) const {
-  if (!triangles.is_array()) throw LineError("\"triangles\": expected a list of [polygon, corner]");
-  for (const Json& named : triangles) {
-    if (!named.is_array() || named.size() != 2 || !named[1].is_number_unsigned())
-      throw LineError("\"triangles\": expected a list of [polygon, corner]");
-    const std::optional<std::uint32_t> p = polygon_of(named[0]);
-    const auto corner = named[1].get<std::size_t>();
-    if (!p || corner == 0 || corner + 1 >= hierarchy_.soup().loop(*p).size()) return "no such triangle";
-    if (!hierarchy_.soup().is_opaque(*p)) return "a see-through polygon hides nothing";
-    const auto loop = hierarchy_.soup().loop(*p);
-    const auto at = [&](std::size_t i) { return key(hierarchy_.soup().vertices[loop[i]]); };
-    add({at(0), at(corner), at(corner + 1)}, cover, vertices);
-  }
-  return "";
-}
-
-std::optional<std::uint32_t> Prover::polygon_of(const Json& named) const {
-  const bool is_piece = named.is_array() && named.size() == 2;
-  const Json& number = is_piece ? named[0] : named;
-  if (!number.is_number_unsigned() || (is_piece && !named[1].is_number_unsigned())) {
-    throw LineError("\"polygons\": expected a list of numbers of polygons, or of [number, piece]");
-  }
-  const auto face = number.get<std::size_t>();
-  if (face + 1 >= first_piece_.size()) return std::nullopt;
-  const std::size_t pieces = first_piece_[face + 1] - first_piece_[face];
-  const std::size_t piece = is_piece ? named[1].get<std::size_t>() : 0;
-  if (is_piece ? piece >= pieces : pieces > 1) return std::nullopt;
-  return place_[first_piece_[face] + piece];
 }
 
 std::string Prover::fault_of_occluder(const Json& described, const AnyCamera& camera, const Eyes& eyes, std::size_t first,

@@ -14,14 +14,12 @@
 #include <vector>
 
 #include "camera_picture.h"
-#include "cases/json_input.h"
+#include "model_polygons.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/oracle/oracle.h"
 #include "occlude/oracle/region.h"
 
 namespace occlude::proof {
-
-using namespace cases;  // witnesses consist of the same values as cases
 
 /// The outcome for one witness.
 struct Proof {
@@ -80,25 +78,6 @@ class Prover {
   [[nodiscard]] bool lie_in(const Box& box, std::size_t first, std::size_t count) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
   [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
-  /// The polygons of a cover, or why there are none. Their vertices add to `vertices`, of which a line may have a limited
-  /// number.
-  struct CoverOrFault {
-    std::vector<oracle::Loop> cover;
-    std::string fault;
-  };
-  [[nodiscard]] CoverOrFault cover_of(const nlohmann::json& polygons, std::size_t& vertices) const;
-  /// Why the windows on the line do not hide the box from the eyes. Empty when they do.
-  [[nodiscard]] std::string fault_of_region(const oracle::EyeRegion& eyes, const nlohmann::json& object,
-                                            const AnyCamera& camera, const Box& box) const;
-  /// Why the polygons do not hide the box together. Empty when they do.
-  [[nodiscard]] std::string fault_of_cover(const nlohmann::json& polygons, const kernel::Viewpoint& view,
-                                           const AnyCamera& camera, const Box& box) const;
-  /// The polygon of the tree that is named in a cover by its number in the model file or, where it has several pieces, by
-  /// [number, piece]. None if there is none. Throws LineError if it is neither.
-  /// Adds the triangles of fans that a window names, or says why there are none. Otherwise as cover_of().
-  [[nodiscard]] std::string append_triangles(const nlohmann::json& triangles, std::vector<oracle::Loop>& cover,
-                                             std::size_t& vertices) const;
-  [[nodiscard]] std::optional<std::uint32_t> polygon_of(const nlohmann::json& named) const;
   /// Whether the loop is the border of the `parts`. Each part is a run of triangles of one polygon, none of them among those
   /// triangles.
   [[nodiscard]] bool is_joined_outside(const Polygon& loop, const nlohmann::json& parts, std::size_t first,
@@ -107,12 +86,11 @@ class Prover {
   [[nodiscard]] Polygon polygon(std::size_t p, std::size_t first, std::size_t count) const;
 
   const culler::Hierarchy& hierarchy_;
+  ModelPolygons polygons_;
   Cameras cameras_;
   oracle::Aabb model_;
   std::vector<std::size_t> first_triangle_;  ///< for each polygon, and the total at the end
   std::vector<std::uint32_t> by_vertices_;   ///< opaque polygons sorted by their vertices, equal ones by index
-  std::vector<std::uint32_t> place_;         ///< for each piece of a polygon of the model file, its index in the tree
-  std::vector<std::uint32_t> first_piece_;   ///< for each polygon of the model file, and their number at the end
   /// Boxes of triangle runs are kept, because the same subtrees are culled in many frames.
   mutable std::shared_mutex mutex_;
   mutable std::unordered_map<std::uint64_t, kernel::Aabb> boxes_;

@@ -5,7 +5,7 @@
 
 namespace occlude::oracle {
 
-Aabb bounding_box(const std::vector<Point>& points) {
+Aabb bounding_box(std::span<const Point> points) {
   Aabb box{points[0], points[0]};
   for (const Point& p : points) {
     for (std::size_t k = 0; k < 3; ++k) {

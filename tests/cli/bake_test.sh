@@ -59,6 +59,35 @@ sees door.pvs '6 .2 1' 'cell 1;items 0 1 2 3 4 5 6 7 8 9 10;cells 1 2;'
 sees door.pvs '7 3 2' 'cell 2;items 0 1 2 3 4 5 6 7 8 9 10 11;cells 0 1 2;'
 for eye in '4 2.5 1.5' '6.5 1 1.5' '.7 2.5 2.1' '-1 0 0' '9 0 0'; do sees door.pvs "$eye" 'in no cell;'; done
 
+# What the sets lack is proved: 13 polygons for each of three cells, of which 34 are seen.
+"$occlude" bake door.ply --cells cells.json --out again.pvs --witness door.jsonl >/dev/null || fail "--witness"
+cmp door.pvs again.pvs || fail "--witness changes the sets"
+proves door.ply door.jsonl 5
+[ "$(grep -c claim door.jsonl)" -eq 3 ] || fail "claims: $(grep claim door.jsonl)"
+finds_lie door.ply door.jsonl 'a polygon' 's/"hidden":\[9\]/"hidden":[7]/'
+finds_lie door.ply door.jsonl 'one more polygon' '/claim/s/\[9,1\]/[8,2]/'
+finds_lie door.ply door.jsonl 'what hides' 's/"polygons":\[[0-9]*/"polygons":[0/'
+finds_lie door.ply door.jsonl 'a cell' '/claim/s/"max":\[1,3,2\]/"max":[1,3.001,2]/'
+finds_lie door.ply door.jsonl 'a piece' '/hidden/s/"from":{"min":\[0.5,/"from":{"min":[0.4,/'
+finds_lie door.ply door.jsonl 'where windows are' 's/"rect":\[[-0-9.e]*,/"rect":[1e9,/'
+grep -v '"hidden":\[12\]' door.jsonl >lie.jsonl
+"$occlude" validate door.ply --witness lie.jsonl >stdout 2>stderr
+[ $? -eq 1 ] && grep -q 'lie.jsonl:[123]: polygon 12 is not proved to be hidden from all of box 0' stderr || fail "what is left out: $(cat stdout stderr)"
+sed '2s/"claim":\[/"claim":[[99,1],/' door.jsonl >lie.jsonl
+expect_error 'lie.jsonl:2: "claim"' "$occlude" validate door.ply --witness lie.jsonl
+expect_error '--path: is for witnesses of a walk' "$occlude" validate door.ply --path path.json --witness door.jsonl
+# A share of the cells, cells of many pieces, points, flat cells, and objects.
+"$occlude" bake door.ply --cells cells.json --out again.pvs --witness door.jsonl --witness-share 0.4 >/dev/null || fail "--witness-share"
+[ "$(grep -c claim door.jsonl)" -eq 1 ] || fail "a share of the claims: $(grep claim door.jsonl)"
+proves door.ply door.jsonl 1
+"$occlude" bake door.ply --cells cells.json --piece 0.3 --out again.pvs --witness door.jsonl >/dev/null || fail "pieces"
+proves door.ply door.jsonl "$((39 - $("$example" again.pvs .7 2.5 1.5 | sed -n '2p' | wc -w) - $("$example" again.pvs 6 .2 1 | sed -n '2p' | wc -w) - $("$example" again.pvs 7 3 2 | sed -n '2p' | wc -w) + 3))"
+[ "$(grep -c hidden door.jsonl)" -gt 20 ] || fail "proofs of pieces: $(grep -c hidden door.jsonl)"
+number=$(grep -n '"from":{"min":\[0.5,2,1\]' door.jsonl | head -1 | cut -d: -f1)
+sed "${number:-1}d" door.jsonl >lie.jsonl
+"$occlude" validate door.ply --witness lie.jsonl >stdout 2>stderr
+[ $? -eq 1 ] && grep -q 'is not proved to be hidden from all of box 0' stderr || fail "a piece is left out: $(cat stdout stderr)"
+
 # With a wall before all of that wall each side sees itself alone, and both, which are in one plane.
 ply closed.ply 42 13 "$room$wall$things$end${end//8 /4 }${faces/4 8 9 10 11/4 38 39 40 41}"
 "$occlude" bake closed.ply --cells cells.json --out closed.pvs >/dev/null || fail "closed"
@@ -73,12 +102,17 @@ echo '{"objects":[[9],[12],[10]]}' >objects.json
 "$occlude" bake door.ply --cells cells.json --objects objects.json --out objects.pvs >/dev/null || fail "objects"
 sees objects.pvs '.7 2.5 1.5' 'cell 0;items 2;cells 0 2;'
 sees objects.pvs '6.5 .5 1.5' 'cell 1;items 0 2;cells 1 2;'
+"$occlude" bake door.ply --cells cells.json --objects objects.json --out objects.pvs --witness objects.jsonl >/dev/null || fail "objects: --witness"
+proves door.ply objects.jsonl 4
 
 # A point, and a cell that is flat.
 echo '{"cells":[{"min":[1,1,1],"max":[1,1,1]},{"min":[6,0.2,1],"max":[7,0.6,1]}]}' >flat.json
 "$occlude" bake door.ply --cells flat.json --out flat.pvs >/dev/null || fail "flat"
 sees flat.pvs '1 1 1' 'cell 0;items 0 1 2 3 4 5 6 7 8 11;cells 0;'
 sees flat.pvs '6.5 .5 1' 'cell 1;items 0 1 2 3 4 5 6 7 8 9 10;cells 1;'
+"$occlude" bake door.ply --cells flat.json --out flat.pvs --witness flat.jsonl >/dev/null || fail "flat: --witness"
+proves door.ply flat.jsonl 5
+finds_lie door.ply flat.jsonl 'an eye' 's/"eye":\[1,1,1\]/"eye":[1,1,1.5]/'
 
 # Grids and corridors: cubes, or one layer. Rays into what is in no set, and in all directions.
 clear() { "$rays" "$@" >rays || fail "rays: $(cat rays)"; }
@@ -129,6 +163,10 @@ sees small.pvs '1.918 0 0' 'cell 0;items 0;cells 0 1 2 3 4 5;'
 { sed -n '1s/2748/20/p; 2,9p' whole.json; sed -n '10s/,$/]}/p' whole.json; } >city.json
 "$occlude" bake city.ply --cells corridor --path city.json --cell-size 4 --reach 0 --heights 1:3 --out city.pvs >/dev/null || fail "city"
 clear city.ply city.pvs 2000 20
+"$occlude" bake city.ply --cells corridor --path city.json --cell-size 4 --reach 0 --heights 1:3 --out again.pvs --witness city.jsonl \
+  --witness-share 0.2 --json >told || fail "city: --witness"
+"$occlude" validate city.ply --witness city.jsonl --json >stdout 2>stderr || fail "city: validate: $(cat stdout stderr)"
+grep -qE '"pairs": [1-9][0-9]{4,},' stdout || fail "city: pairs: $(cat stdout)"
 grep -q ' 0 reach' rays || fail "$(cat rays)"
 # All readers read the same, of numbers of two bytes too, and one cell of another as its set.
 cat >middles.py <<'END'
@@ -206,6 +244,8 @@ if ! command -v mpirun >/dev/null || mpirun -n 1 "$occlude" fuzz --cases 1 --fin
 else
   mpirun --oversubscribe -n 3 "$occlude" "${long[@]}" --out many.pvs >many 2>stderr || fail "mpirun: $(cat stderr)"
   cmp one.pvs many.pvs || fail "mpirun: the bytes differ"
+  mpirun --oversubscribe -n 3 "$occlude" validate door.ply --witness door.jsonl >many_proved 2>stderr || fail "mpirun: $(cat stderr)"
+  "$occlude" validate door.ply --witness door.jsonl | cmp - many_proved || fail "mpirun proves $(cat many_proved)"
   cmp -s <(sed 's/^one//; s/;[^;]*$//' one) <(sed 's/^many//; s/;[^;]*$//' many) || fail "mpirun prints $(cat many)"
   ! compgen -G 'occlude_*_parts' >/dev/null || fail "mpirun leaves parts behind"
 fi

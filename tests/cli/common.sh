@@ -37,6 +37,21 @@ ply() { # ply FILE VERTICES FACES BODY: an ascii PLY
   printf 'ply\nformat ascii 1.0\nelement vertex %s\nproperty double x\nproperty double y\nproperty double z\nelement face %s\nproperty list uchar int vertex_indices\nend_header\n%b' "$2" "$3" "$4" >"$1"
 }
 
+# proves MODEL FILE PAIRS: validate proves all of the file, which has so many pairs.
+proves() {
+  "$occlude" validate "$1" --witness "$2" >stdout 2>stderr || fail "validate $2: $(cat stdout stderr)"
+  grep -qx "$3 of $3 hidden pairs of eyes and polygon proved" stdout || fail "validate $2: $3 pairs expected: $(cat stdout)"
+  grep -qxE '([0-9]+) of \1 witnesses proved' stdout || fail "validate $2: $(cat stdout)"
+}
+
+# finds_lie MODEL FILE WHAT SED_SCRIPT: validate finds the file out once the script has changed it.
+finds_lie() {
+  sed "$4" "$2" >lie.jsonl
+  cmp -s "$2" lie.jsonl && fail "the lie about $3 changed nothing"
+  "$occlude" validate "$1" --witness lie.jsonl >stdout 2>stderr
+  [ $? -eq 1 ] && grep -q '^lie.jsonl:' stderr || fail "a lie about $3 was believed: $(cat stdout stderr)"
+}
+
 # walls FILE: writes a wall at x = 2 and 63 squares of the same size behind it.
 walls() {
   local vertices= faces= i

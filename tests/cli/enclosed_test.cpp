@@ -50,7 +50,7 @@ void add_box(PolygonSoup& soup, const dvec3& low, const dvec3& high, const std::
 /// The numbers of the enclosed polygons in the soup.
 std::vector<std::uint32_t> enclosed(const PolygonSoup& soup, bool may_touch = true) {
   const culler::Hierarchy tree = culler::Hierarchy::build(soup, {.leaf_size = 1});
-  const std::vector<bool> is_enclosed = enclosed_polygons(tree, may_touch, {});
+  const std::vector<bool> is_enclosed = enclosed_polygons(tree, may_touch, {}).polygons;
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t p = 0; p < is_enclosed.size(); ++p) {
     if (is_enclosed[p]) numbers.push_back(tree.original(p));

@@ -26,20 +26,34 @@ gone() {
   "$occlude" prune "$file" --out "pruned.${file##*.}" --json "$@" >told 2>stderr || fail "$file $*: $(cat stderr)"
   grep -q "\"gone\": $expected," told || fail "$file $*: $expected expected: $(cat told)"
 }
+# gone_proved FILE EXPECTED ARGUMENTS...: the same, and each of them is proved.
+gone_proved() {
+  gone "$@" --witness proof.jsonl
+  proves "$1" proof.jsonl "$2"
+}
 # same FILE PICTURES: pictures from outside of it and of what was written last are equal, and exact rays reach nothing that is gone.
 same() { "$pictures" "$1" "pruned.${1##*.}" "$2" 1000 128 >drawn || fail "pictures of $1: $(cat drawn)"; }
 
 # A closed box with two cubes in it, and one outside; one that touches it from inside.
 all="$(box 0 10)$(box 4 6)$(box 1 1.5)$(box 20 21)" faces="$(sides 0)$(sides 8)$(sides 16)$(sides 24)"
 ply closed.ply 32 24 "$all$faces"
-gone closed.ply 12 --from outside
+gone_proved closed.ply 12 --from outside
 same closed.ply 200
+finds_lie closed.ply proof.jsonl 'a side of the shell' 's/"shell":\[0,/"shell":[/'
+finds_lie closed.ply proof.jsonl 'the shell' 's/"shell":\[.*\]/"shell":[6,7,8,9,10,11]/'
+finds_lie closed.ply proof.jsonl 'what is inside' 's/"hidden":\[\[[0-9]*,1\]/"hidden":[[18,1]/'
+finds_lie closed.ply proof.jsonl 'the polygons' '/claim/s/\[6,12\]/[6,13]/'
+sed 's/"max":\[[^]]*\]/"max":[20,20,20]/' proof.jsonl >lie.jsonl
+expect_error 'lie.jsonl:1: "outside": a part of the model is outside of the box' "$occlude" validate closed.ply --witness lie.jsonl
+gone closed.ply 12 --from outside --witness proof.jsonl --witness-share 0.25
+proves closed.ply proof.jsonl 3
 grep -qa 'element face 12' pruned.ply || fail "the header: $(head pruned.ply)"
 grep -q ' 100 % of' drawn || fail "something inside of a closed box stays: $(cat drawn)"
 ply touching.ply 16 12 "$(box 0 10)$(box 0 5)$(sides 0)$(sides 8)"
 gone touching.ply 0 --from outside --effort 0
 same touching.ply 200
-gone touching.ply 3 --from outside --effort 0 --touching
+gone_proved touching.ply 3 --from outside --effort 0 --touching
+finds_lie touching.ply proof.jsonl 'touching' 's/"touching":true/"touching":false/'
 same touching.ply 0
 
 # A row of three houses with walls between them, of which the last is open above: the wall to it is seen.
@@ -73,7 +87,8 @@ for place in '0 0' '0 1' '1 0' '1 1' '2 0' '2 1'; do
 done
 ply plates.ply 32 12 "$plates$(box 4 6)4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n4 20 21 22 23\n$(sides 24)"
 gone plates.ply 0 --from outside --effort 0
-gone plates.ply 6 --from outside
+gone_proved plates.ply 6 --from outside
+finds_lie plates.ply proof.jsonl 'what hides' 's/"polygons":\[[0-9]*/"polygons":[11/'
 same plates.ply 200
 
 # Without its upper side what is in it may be seen; the sides seen from in there stay, too.
@@ -95,7 +110,7 @@ ply well.ply 12 6 "$well$tile${walls}4 8 9 10 11\n"
 gone well.ply 0 --from outside --rays 0 --effort 5000
 same well.ply 50
 ply lid.ply 16 7 "$well$tile$lid${walls}4 8 9 10 11\n4 12 13 14 15\n"
-gone lid.ply 1 --from outside --effort 5000
+gone_proved lid.ply 1 --from outside --effort 5000
 same lid.ply 50
 
 # A window in place of that side hides nothing, unless it is opaque.
@@ -119,7 +134,9 @@ wall='2 -1 -1\n2 0 -1\n2 0 1\n2 -1 1\n2 1 -1\n2 1 1\n'
 behind='6 -.5 -.5\n6 .5 -.5\n6 .5 .5\n6 -.5 .5\n' beside='6 5 -.5\n6 6 -.5\n6 6 .5\n6 5 .5\n'
 ply wall.ply 14 4 "$wall$behind${beside}4 0 1 2 3\n4 1 4 5 2\n4 6 7 8 9\n4 10 11 12 13\n"
 echo '{"cells":[{"min":[-0.2,-0.2,-0.2],"max":[0.2,0.2,0.2]},{"min":[0,0,0],"max":[0,0,0]}]}' >cells.json
-gone wall.ply 1 --from cells --cells cells.json
+gone wall.ply 1 --from cells --cells cells.json --witness proof.jsonl
+proves wall.ply proof.jsonl 2
+finds_lie wall.ply proof.jsonl 'a cell' '/claim/s/"max":\[0.2,/"max":[0.201,/'
 grep -qa '^4 6 7 8 9' pruned.ply && fail "what is behind the wall stays: $(cat pruned.ply)"
 echo '{"cells":[{"min":[-0.2,-0.2,-0.2],"max":[0.2,0.2,0.2]},{"min":[0,4,0],"max":[0,4,0]}]}' >both.json
 gone wall.ply 0 --from cells --cells both.json
@@ -132,7 +149,7 @@ gone wall.ply 0 --from cells --cells wide.json --rays 0
 echo '{"cells":[{"min":[-0.2,-0.2,-0.2],"max":[0.2,4,0.2]}]}' >long.json
 gone wall.ply 0 --from cells --cells long.json --rays 0
 echo '{"frames":2,"keyframes":[{"eye":[-1,0,0],"target":[1,0,0]},{"eye":[0,0,0],"target":[1,0,0]}]}' >path.json
-gone wall.ply 1 --from path --path path.json --reach 0.1
+gone_proved wall.ply 1 --from path --path path.json --reach 0.1
 gone wall.ply 0 --from path --path path.json --reach 3
 gone wall.ply 0 --from outside
 
@@ -183,7 +200,7 @@ json.dump(doc, open('house.gltf', 'w'))
 END
 for format in glb gltf; do
   # 12 triangles each of the thing, of the other node and of the chair inside, and 3 of the strip, of which one has no area.
-  gone house.$format 39 --from outside
+  gone_proved house.$format 39 --from outside
   grep -q '"kept_for_other_instances": 0,' told || fail "instances: $(cat told)"
   same house.$format 200
   python3 - pruned.$format <<'END' || fail "house.$format"

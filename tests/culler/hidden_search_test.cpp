@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "scenes.h"
@@ -83,6 +84,45 @@ TEST(HiddenSearch, WhatItFindsNoSegmentReaches) {
   }
   EXPECT_GT(hidden_polygons, 1000U);
   EXPECT_GT(hidden_boxes, 100U);
+}
+
+/// All that becomes known is told once, with a witness that has it, also where a polygon is asked by itself. Told or not,
+/// the same becomes known.
+TEST(HiddenSearch, TellsWhatHides) {
+  std::mt19937 random(seed_of(7103));
+  std::size_t by_themselves = 0;
+  for (int trial = 0; trial < 6; ++trial) {
+    const Culler culler(random_town_of_houses(static_cast<std::uint32_t>(random()), 1200));
+    const SoupView soup = culler.hierarchy().soup();
+    const std::vector<Aabb> boxes = boxes_of(culler, {some_box(random, 4)});
+    const Aabb eyes = some_box(random, trial == 0 ? 0 : 1.5);
+    std::vector<int> told(soup.size()), witnessed(soup.size());
+    HiddenSearch::Options options{96, 0.01, {}};
+    options.most_corners = 64;
+    options.found = [&](const Camera&, std::span<const std::uint32_t> found, std::span<const CoverWitness> covers) {
+      EXPECT_TRUE(std::ranges::is_sorted(found));
+      for (const std::uint32_t p : found) ++told[p];
+      std::vector<bool> has(soup.size());
+      for (const CoverWitness& cover : covers) {
+        for (std::uint32_t p = cover.range.first; p < cover.range.first + cover.range.count; ++p) {
+          EXPECT_FALSE(has[p]) << "two witnesses of one picture";
+          has[p] = true;
+        }
+        by_themselves += cover.range.count == 1 ? 1 : 0;
+      }
+      for (const std::uint32_t p : found) witnessed[p] += has[p] ? 1 : 0;
+    };
+    HiddenSearch search(culler, boxes, options);
+    HiddenSearch::Known known = search.nothing(), untold = search.nothing();
+    search.look_from(eyes, known);
+    HiddenSearch(culler, boxes, {96, 0.01, {}}).look_from(eyes, untold);
+    EXPECT_EQ(known.is_hidden, untold.is_hidden);
+    for (std::size_t p = 0; p < soup.size(); ++p) {
+      EXPECT_EQ(told[p], known.is_hidden[p]) << p;
+      EXPECT_EQ(witnessed[p], told[p]) << p;
+    }
+  }
+  EXPECT_GT(by_themselves, 100U);
 }
 
 /// Two walls that overlap by less than two pixels of the first pictures, and small things behind.

@@ -9,48 +9,17 @@
 #include "frame/culler_access.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/view_planes.h"
+#include "witness_text.h"
 
 namespace occlude::render {
 namespace {
-
-// fmt prints the shortest decimal that reads back to the same double.
-template <class Vector>
-std::string triple(const Vector& v) {
-  return fmt::format("[{},{},{}]", v.x, v.y, v.z);
-}
-
-std::string box_member(const kernel::Aabb& box) {
-  return fmt::format(R"({{"min":{},"max":{}}})", triple(box.min), triple(box.max));
-}
-
-std::string box_member(const kernel::Obb& box) {
-  const auto& [x, y, z] = box.half_edges;
-  return fmt::format(R"({{"center":{},"half_edges":[{},{},{}]}})", triple(box.center), triple(x), triple(y), triple(z));
-}
 
 const char* near_word(kernel::Near near) { return near == kernel::Near::farthest ? R"("farthest")" : R"("surface")"; }
 
 std::string near_member(const kernel::ShadowFrustum& frustum, kernel::Near near) {
   const auto& plane = frustum.support_plane();
   if (!plane) return near_word(near);
-  return fmt::format(R"({{"normal":{},"point":{}}})", triple(plane->normal), triple(plane->point));
-}
-
-/// [a,b,...] of the texts of the items.
-template <class Items, class Text>
-std::string list(const Items& items, Text&& text) {
-  std::string result;
-  for (const auto& item : items) result += (result.empty() ? "" : ",") + text(item);
-  return "[" + result + "]";
-}
-
-/// The number of a polygon in the model file, or [number, piece] if it is one of several pieces.
-std::string name_of(const culler::Hierarchy& hierarchy, std::uint32_t p) {
-  const std::uint32_t face = hierarchy.face(p);
-  const auto pieces = std::ranges::equal_range(hierarchy.faces(), face);
-  if (pieces.size() < 2) return std::to_string(face);
-  const auto first = static_cast<std::uint32_t>(pieces.begin() - hierarchy.faces().begin());
-  return fmt::format("[{},{}]", face, hierarchy.original(p) - first);
+  return fmt::format(R"({{"normal":{},"point":{}}})", text::triple(plane->normal), text::triple(plane->point));
 }
 
 /// For an occluder that is not one polygon of the model: the triangles of its parts.
@@ -58,7 +27,7 @@ std::string parts_member(const culler::Culler& culler, std::uint32_t occluder) {
   const auto parts = occluders_of(culler).parts(occluder);
   const auto piece = occluders_of(culler).regions().piece(occluder);
   if (parts.size() == 1 && !piece) return "";
-  return R"(,"parts":)" + list(parts, [&](std::uint32_t part) {
+  return R"(,"parts":)" + text::list(parts, [&](std::uint32_t part) {
            const std::size_t first = culler.hierarchy().first_triangle(part);
            return piece ? fmt::format("[{},{}]", first + piece->first, piece->count)
                         : fmt::format("[{},{}]", first, culler.hierarchy().first_triangle(part + 1) - first);
@@ -69,13 +38,15 @@ std::string parts_member(const culler::Culler& culler, std::uint32_t occluder) {
 std::string geometry_members(const culler::Culler& culler, std::uint32_t occluder) {
   const auto geometry = occluders_of(culler).geometry(occluder);
   if (const auto* polygon = std::get_if<std::vector<kernel::Vec3>>(&geometry)) {
-    return fmt::format(R"("polygon":{}{})", list(*polygon, triple<kernel::Vec3>), parts_member(culler, occluder));
+    return fmt::format(R"("polygon":{}{})", text::list(*polygon, text::triple<kernel::Vec3>),
+                       parts_member(culler, occluder));
   }
   const auto& [vertices, faces] = std::get<kernel::Polytope>(geometry);
   const auto face = [](const std::vector<std::uint32_t>& loop) {
-    return list(loop, [](std::uint32_t i) { return std::to_string(i); });
+    return text::list(loop, [](std::uint32_t i) { return std::to_string(i); });
   };
-  return fmt::format(R"("vertices":{},"faces":{})", list(vertices, triple<kernel::Vec3>), list(faces, face));
+  return fmt::format(R"("vertices":{},"faces":{})", text::list(vertices, text::triple<kernel::Vec3>),
+                     text::list(faces, face));
 }
 
 std::string view_member(const culler::HalfSpace& h) {
@@ -118,15 +89,6 @@ class Reasons {
   std::vector<std::string> view_;             ///< of each half-space, complete
 };
 
-/// From where it is seen: an eye, eyes or a direction.
-std::string sight_member(const kernel::Viewpoint& viewpoint, const culler::EyeRegion& eyes) {
-  if (!viewpoint.is_eye()) return fmt::format(R"("direction":{})", triple(viewpoint.value));
-  if (eyes.is_point()) return fmt::format(R"("eye":{})", triple(viewpoint.value));
-  const std::string shape = eyes.radius != 0 ? fmt::format(R"("radius":{})", eyes.radius)
-                                             : R"("half_edges":)" + list(eyes.half_edges, triple<glm::dvec3>);
-  return fmt::format(R"("eyes":{{"center":{},{}}})", triple(viewpoint.value), shape);
-}
-
 /// Writes the lines of a frame.
 class Lines {
  public:
@@ -134,7 +96,9 @@ class Lines {
       : lines_(lines),
         hierarchy_(hierarchy),
         frame_(std::visit(
-            [&](const auto& c) { return fmt::format(R"({{"frame":{},{},)", frame, sight_member(c.viewpoint(), c.eyes)); },
+            [&](const auto& c) {
+              return fmt::format(R"({{"frame":{},{},)", frame, text::sight_member(c.viewpoint(), c.eyes));
+            },
             camera)),
         leaf_(hierarchy.leaf_size() == culler::leaf_size_for(culler::Method::frusta)
                   ? ""
@@ -144,39 +108,14 @@ class Lines {
     const std::size_t first = hierarchy_.first_triangle(range.first);
     const std::size_t count = hierarchy_.first_triangle(range.first + range.count) - first;
     lines_.push_back(fmt::format(R"({}"box":{},{}"triangles":[{},{}],{}}})", frame_,
-                                 std::visit([](const auto& b) { return box_member(b); }, box), leaf_, first, count, reason));
+                                 std::visit([](const auto& b) { return text::box(b); }, box), leaf_, first, count, reason));
   }
 
-  void append_cover(const culler::PolygonRange& range, const kernel::Aabb& box, std::span<const std::uint32_t> polygons) {
-    append(range, box, R"("by":"cover","polygons":)" + names(polygons));
-  }
   void append_cover(const culler::CoverWitness& cover) {
-    if (cover.windows.empty()) return append_cover(cover.range, cover.box, cover.polygons);
-    append(cover.range, cover.box, R"("by":"cover",)" + layer_members(cover));
+    append(cover.range, cover.box, R"("by":"cover",)" + text::cover_members(hierarchy_, cover));
   }
 
  private:
-  [[nodiscard]] std::string names(std::span<const std::uint32_t> polygons) const {
-    return list(polygons, [&](std::uint32_t p) { return name_of(hierarchy_, p); });
-  }
-
-  [[nodiscard]] std::string sheet_members(const culler::CoverWindow& window) const {
-    const std::string polygons = R"("polygons":)" + names(window.polygons);
-    if (window.triangles.empty()) return polygons;
-    return polygons + R"(,"triangles":)" + list(window.triangles, [&](const culler::FanTriangle& t) {
-             return fmt::format("[{},{}]", name_of(hierarchy_, t.polygon), t.corner);
-           });
-  }
-  [[nodiscard]] std::string layer_members(const culler::CoverLayer& layer) const {
-    const auto& [point, normal, right] = layer.focus;
-    const auto window = [&](const culler::CoverWindow& w) {
-      return fmt::format(R"({{"rect":[{},{},{},{}],{}}})", w.x0, w.y0, w.x1, w.y1,
-                         w.windows.empty() ? sheet_members(w) : layer_members(w));
-    };
-    return fmt::format(R"("focus":{{"point":{},"normal":{},"right":{}}},"windows":{})", triple(point), triple(normal),
-                       triple(right), list(layer.windows, window));
-  }
-
   std::vector<std::string>& lines_;
   const culler::Hierarchy& hierarchy_;
   std::string frame_, leaf_;
@@ -215,9 +154,11 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
       of_frame.append(range, box, view_member(view[fate.plane]));
       continue;
     }
-    std::vector<std::uint32_t> polygons;
-    for (const culler::ObjectFate::Hiding& hiding : fate.by) polygons.push_back(hiding.polygon);
-    of_frame.append_cover(range, std::get<kernel::Aabb>(box), polygons);
+    culler::CoverWitness cover;
+    cover.range = range;
+    cover.box = std::get<kernel::Aabb>(box);
+    for (const culler::ObjectFate::Hiding& hiding : fate.by) cover.polygons.push_back(hiding.polygon);
+    of_frame.append_cover(cover);
   }
 }
 

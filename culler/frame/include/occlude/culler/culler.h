@@ -164,9 +164,6 @@ class Culler {
   CullResult cull_alone(const AnyCamera& camera, const CullOptions& options) const;
   template <class AnyCamera>
   const CullResult& cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const;
-  template <class AnyCamera>
-  void append_covers_of(const CullResult& frame, const AnyCamera& camera, const CullOptions& options, std::size_t most,
-                        std::vector<CoverWitness>& witnesses) const;
   const OccluderSet& occluders(const Checkpoint& checkpoint = {}) const;
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
   const HierarchyBlocks& blocks(const Checkpoint& checkpoint = {}) const;
