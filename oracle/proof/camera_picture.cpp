@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,8 @@ using oracle::Relation;
 
 /// Each term of an offset goes through fewer than eight roundings, of 2^-53 each.
 constexpr double kRounded = 0x1p-50;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double sum_of_magnitudes(const dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
@@ -172,13 +175,54 @@ double depth_of(const oracle::Aabb& model, const AnyCamera& camera, const Eyes& 
   return sum;
 }
 
+namespace {
+
+using HalfSpaces = std::vector<HalfSpaceCoefficients>;
+
+HalfSpaceCoefficients complement(const HalfSpaceCoefficients& h) { return {-h[0], -h[1], -h[2], -h[3]}; }
+
+/// Whether a point of `model`, in a half-space, may be in what `picture_from` shows of one of the eyes, which it is given.
+/// The eye and the point may be moved together until the eye is in the middle. Then the point is in the picture from there,
+/// and no farther from the model and the half-space than the eyes reach. The intersection of half-spaces that were moved
+/// instead is larger: it begins behind the eyes.
+bool may_show(const HalfSpaceCoefficients& half_space, oracle::Aabb model, const AnyCamera& camera, const Eyes& eyes,
+              const auto& picture_from) {
+  const Eyes all = eyes ? eyes : eyes_of(camera);
+  HalfSpaces shown = picture_from(all ? Eyes(oracle::Ball{position(middle_of(*all)), 0}) : std::nullopt);
+  shown.push_back(half_space);
+  if (all) {
+    shown.back()[3] += reach(*all, {half_space[0], half_space[1], half_space[2]});
+    shown.back()[3] = std::nextafter(shown.back()[3], kInfinity);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      dvec3 unit(0);
+      unit[static_cast<int>(axis)] = 1;
+      model.min[axis] = std::nextafter(model.min[axis] - reach(*all, unit), -kInfinity);
+      model.max[axis] = std::nextafter(model.max[axis] + reach(*all, unit), kInfinity);
+    }
+  }
+  return oracle::relation_to_half_spaces(shown, model).relation != Relation::outside;
+}
+
+}  // namespace
+
 bool may_draw_beyond(const std::array<double, 4>& plane, const AnyCamera& camera, const oracle::Aabb& model,
                      const Eyes& eyes) {
-  const oracle::Picture picture = picture_of(camera, kRendererRounds * depth_of(model, camera, eyes), eyes);
-  std::vector<HalfSpaceCoefficients> both{{-plane[0], -plane[1], -plane[2], -plane[3]}};
-  both.insert(both.end(), picture.sides.begin(), picture.sides.end());
-  both.insert(both.end(), picture.depth.begin(), picture.depth.end());
-  return oracle::relation_to_half_spaces(both, model).relation != Relation::outside;
+  return may_show(complement(plane), model, camera, eyes, [&](const Eyes& from) {
+    const auto [sides, depth] = picture_of(camera, kRendererRounds * depth_of(model, camera, eyes), from);
+    HalfSpaces shown = sides;
+    shown.insert(shown.end(), depth.begin(), depth.end());
+    return shown;
+  });
+}
+
+bool draws_all_in(const HalfSpaceCoefficients& half_space, const AnyCamera& camera, const oracle::Aabb& model,
+                  const Eyes& eyes) {
+  const double rounded = kRendererRounds * depth_of(model, camera, eyes);
+  return !may_show(half_space, model, camera, eyes, [&](const Eyes& from) {
+    HalfSpaces shown = picture_of(camera, rounded, from).sides;
+    shown.push_back(complement(picture_of(camera, -rounded, from).depth.front()));
+    return shown;
+  });
 }
 
 namespace {

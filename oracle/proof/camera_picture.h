@@ -48,6 +48,11 @@ inline constexpr double kSheetsBegin = 0x1p-20;
 [[nodiscard]] bool may_draw_beyond(const std::array<double, 4>& plane, const AnyCamera& camera, const oracle::Aabb& model,
                                    const Eyes& eyes = {});
 
+/// Whether the renderer certainly clips no point of `model` in the half-space at its near plane, of those that are within
+/// the sides of its picture. REQUIRES: as above.
+[[nodiscard]] bool draws_all_in(const oracle::HalfSpaceCoefficients& half_space, const AnyCamera& camera,
+                                const oracle::Aabb& model, const Eyes& eyes = {});
+
 /// Whether the near plane of the renderer may clip one of the points of `model`. REQUIRES: as above.
 [[nodiscard]] bool may_clip(const AnyCamera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points,
                             const Eyes& eyes = {});

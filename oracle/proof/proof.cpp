@@ -165,7 +165,10 @@ std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size
 
   if (by == "cover" && margin != 0) return "a cover has no margin";
   if (by == "cover" && eyes) {
-    return fault_of_windows(*eyes, object, drawn_of_sheets(camera, model_, eyes), to_oracle(box), polygons_);
+    const bool is_said = object.contains("drawn");
+    const auto drawn = is_said ? four_numbers(object, "drawn") : drawn_of_sheets(camera, model_, eyes);
+    if (is_said && !draws_all_in(drawn, camera, model_, eyes)) return "sheets count where the near plane may clip them";
+    return fault_of_windows(*eyes, object, drawn, to_oracle(box), polygons_);
   }
   if (eyes && margin != 0) return "a shadow for a region of eyes has no margin";
   if (eyes) return fault_of_umbra(*eyes, object, camera, box, first, count);

@@ -3,6 +3,7 @@
 # `occlude walk`: what it writes for good input, and what it says about bad input.
 # Usage: walk_test.sh PATH_OF_OCCLUDE [FOLDER_OF_REAL_MODELS]
 set -uo pipefail
+scenes=$(realpath "$(dirname "$0")/../data/scenes")
 . "$(dirname "$0")/common.sh"
 walk_of_squares
 
@@ -213,7 +214,7 @@ for method in cover frusta; do
   grep -q '^held: [1-9][0-9]* regions that reach 0.5 ahead, one for [0-9.]* frames; .* 0 of 4 frames by point$' stdout || fail "walk --hold said: $(cat stdout)"
   grep -q '"hold": 0.5,' held/summary.json && grep -q '"frames_by_point": 0,' held/summary.json || fail "the summary does not tell that frames are held"
   grep -q ',[1-9][0-9]*$' held/frames.csv || fail "frames.csv has no regions"
-  grep -q '"eyes":{"center":\[.*"by":"shadow"\|"eyes":{"center":\[.*"by":"cover","focus"' held.jsonl || fail "no proof of a region by $method"
+  grep -q '"eyes":{"center":\[.*"by":"shadow"\|"eyes":{"center":\[.*"by":"cover","drawn"' held.jsonl || fail "no proof of a region by $method"
   "$occlude" validate good.ply --path path.json --witness held.jsonl >stdout || fail "validate what a region of $method hides: $(cat stdout)"
   grep -q "^$(wc -l <held.jsonl) of $(wc -l <held.jsonl) witnesses proved" stdout || fail "validate --hold said: $(cat stdout)"
   "$occlude" walk good.ply --path path.json --out held --size 64x36 $held --witness again.jsonl >/dev/null && cmp -s held.jsonl again.jsonl ||
@@ -222,6 +223,13 @@ for method in cover frusta; do
   grep -q '^frame 2, polygon 40: culled: in shadow$' stdout || fail "why --hold by $method said: $(cat stdout)"
   "$occlude" render good.ply --path path.json --size 64x36 $held --frame 2 --out held.png >/dev/null && [ -s held.png ] || fail "render --hold"
 done
+
+# Frames of a camera that turns, near to what hides, are proved by planes and near planes of the regions' cameras.
+"$occlude" walk "$scenes/door.ply" --path walk --hold 2 --method cover --frames 0:100:10 --out turns --no-render --witness turns.jsonl >/dev/null ||
+  fail "walk --hold past a door"
+grep -q '"drawn":\[' turns.jsonl || fail "no frame is held past a door"
+"$occlude" validate "$scenes/door.ply" --path walk --witness turns.jsonl >stdout || fail "validate what is held past a door: $(cat stdout)"
+
 "$occlude" walk good.ply --path path.json --out held --size 64x36 --hold 0.5 >stdout || fail "walk --hold"
 for method in 'automatic, held' 'automatic'; do
   grep -q "^$method  *[0-9]" stdout || fail "walk --hold has no $method in the table: $(cat stdout)"

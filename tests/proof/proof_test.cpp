@@ -190,6 +190,38 @@ TEST(MatrixProof, KnowsWhereTheRendererClips) {
   }
 }
 
+/// Sheets may be cut across a line of sight that is turned by ten degrees. A ray to the corner of a picture of 90 degrees is
+/// at depth 1 after a way of sqrt(3), and so cos(10) + sqrt(2) sin(10) = 1.23 along that line at most.
+TEST(MatrixProof, KnowsWhatTheNearPlaneClipsWithinThePicture) {
+  const oracle::Aabb model{{-8, -8, -8}, {4, 4, 4}};
+  const double c = std::cos(glm::radians(10.0)), s = std::sin(glm::radians(10.0));
+  for (culler::MatrixCamera camera : kMatrices) {
+    const auto draws = [&](const std::array<double, 4>& cut) { return draws_all_in(cut, camera, model); };
+    EXPECT_TRUE(draws({1, 0, 0, -1.001}));
+    EXPECT_FALSE(draws({1, 0, 0, -0.999}));
+    EXPECT_TRUE(draws({c, s, 0, -1.24})) << "what is nearer is aside of the picture";
+    EXPECT_FALSE(draws({c, s, 0, -1.1}));
+    camera.eyes.radius = 0.25;
+    EXPECT_TRUE(draws({1, 0, 0, -1.251}));
+    EXPECT_FALSE(draws({1, 0, 0, -1.249})) << "for one of the eyes";
+    EXPECT_TRUE(draws({c, s, 0, -1.49}));
+    EXPECT_FALSE(draws({c, s, 0, -1.35}));
+  }
+}
+
+/// The sides of all eyes, each moved outward, meet behind the eyes. Nobody sees what is there.
+TEST(ViewProof, TakesPlanesBehindTheEyesOfARegion) {
+  Camera camera = looking_along_x(90, 1);
+  camera.near_plane = 0.125;
+  const oracle::Aabb model{{-8, -8, -8}, {8, 8, 8}};
+  const oracle::EyeRegion eyes = oracle::Obb{{0, 0, 0}, {{{0, 1, 0}, {0, 0, 1}, {0.25, 0, 0}}}};
+  const double side = std::sqrt(0.5) - 0.01, ahead = std::sqrt(0.5) + 0.01;
+  EXPECT_FALSE(may_draw_beyond({ahead, -side, 0, side + 0.25 * ahead}, camera, model, eyes)) << "a side, turned outward";
+  EXPECT_TRUE(may_draw_beyond({side, -ahead, 0, ahead + 0.25 * side}, camera, model, eyes)) << "a side, turned inward";
+  EXPECT_TRUE(may_draw_beyond({ahead, -side, 0, side}, camera, model, eyes))
+      << "the side of an eye in the middle of the others";
+}
+
 /// The oracle's time grows with the square of the number of vertices of a polytope, so more than kMostCorners are refused at
 /// once.
 TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {

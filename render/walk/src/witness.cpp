@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <variant>
 
+#include "camera/frame_view.h"
 #include "frame/culler_access.h"
+#include "model/bounds.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/view_planes.h"
 #include "witness_text.h"
@@ -89,6 +92,13 @@ class Reasons {
   std::vector<std::string> view_;             ///< of each half-space, complete
 };
 
+/// Where the culler cuts what hides from the eyes of a region, which looks in another direction than a frame's camera.
+std::string drawn_member(const culler::Camera& region, const culler::Hierarchy& hierarchy) {
+  const culler::FrameView view(region, culler::depth(hierarchy.nodes()[0].box, region.eye));
+  const glm::dvec3& forward = view.axes.forward;
+  return fmt::format(R"("drawn":[{},{},{},{}],)", forward.x, forward.y, forward.z, -glm::dot(forward, view.eye) - view.near);
+}
+
 /// Writes the lines of a frame.
 class Lines {
  public:
@@ -111,8 +121,9 @@ class Lines {
                                  std::visit([](const auto& b) { return text::box(b); }, box), leaf_, first, count, reason));
   }
 
-  void append_cover(const culler::CoverWitness& cover) {
-    append(cover.range, cover.box, R"("by":"cover",)" + text::cover_members(hierarchy_, cover));
+  /// `drawn` is a member that says where sheets count, if it is not where the frame's camera draws.
+  void append_cover(const culler::CoverWitness& cover, const std::string& drawn = "") {
+    append(cover.range, cover.box, R"("by":"cover",)" + drawn + text::cover_members(hierarchy_, cover));
   }
 
  private:
@@ -141,7 +152,8 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
     Lines& its = culled.by == culler::Culled::By::view && culled.index < own_planes ? of_frame : of_region;
     its.append({node.first, node.count}, hierarchy.volume(culled.node), reasons.of(culled) + beyond);
   }
-  for (const culler::CoverWitness& cover : covers) of_region.append_cover(cover);
+  const std::string drawn = region ? drawn_member(*region, hierarchy) : "";
+  for (const culler::CoverWitness& cover : covers) of_region.append_cover(cover, drawn);
 }
 
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const AnyCamera& camera,
