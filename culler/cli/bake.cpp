@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -254,8 +255,14 @@ std::vector<BakedCell> bake_all(render::Job& job, const Baker& baker, std::uint3
   const auto work = [&](const std::string& part) {
     const auto [first, end] = parts.of(part);
     std::vector<std::vector<BakedCell>> groups(end - first);
-    culler::parallel_for(
-        groups.size(), [&, first = first](std::size_t i) { groups[i] = baker.bake(first + i); }, render::check_interrupt);
+    std::mutex telling;
+    std::size_t here = 0;
+    const auto bake = [&, first = first](std::size_t i) {
+      groups[i] = baker.bake(first + i);
+      const std::lock_guard alone(telling);
+      progress.update(done + (here += groups[i].size()));
+    };
+    culler::parallel_for(groups.size(), bake, render::check_interrupt);
     render::Packer packer;
     for (const std::vector<BakedCell>& group : groups) {
       for (const BakedCell& cell : group) packer.put(cell.items).put(cell.cells);
@@ -299,13 +306,6 @@ void write_set_proofs(render::OutputFile& file, const Baker& baker, const std::v
   file.close();
 }
 
-/// The path that a corridor is along.
-render::CameraPath path_of(const BakeArguments& arguments, const render::ModelFile& model, culler::SoupView soup) {
-  render::CameraPath path = arguments.path.through(model);
-  warn_of_misfit(path, arguments.path, arguments.model, soup);
-  return path;
-}
-
 std::vector<kernel::Aabb> cells_of(BakeArguments& arguments, const render::ModelFile& model,
                                    const culler::Hierarchy& hierarchy) {
   if (!arguments.heights.empty()) arguments.grid.layer = layer_of(arguments.heights, up_for("--heights", model));
@@ -313,7 +313,7 @@ std::vector<kernel::Aabb> cells_of(BakeArguments& arguments, const render::Model
   try {
     cells = arguments.cells == kGrid ? arguments.grid.cells_of(hierarchy.nodes()[0].box)
             : arguments.cells == kCorridor
-                ? arguments.grid.cells_along(path_of(arguments, model, hierarchy.soup()), arguments.reach)
+                ? arguments.grid.cells_along(way_of_eyes(arguments.path, model, hierarchy.soup()), arguments.reach)
                 : read_cells(arguments.cells);
     for (const kernel::Aabb& cell : cells) static_cast<void>(pieces_of(cell, arguments.piece));
   } catch (const std::length_error& error) {

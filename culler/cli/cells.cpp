@@ -141,6 +141,15 @@ std::vector<kernel::Aabb> CellGrid::cells_along(const render::CameraPath& path, 
   return places.cells();
 }
 
+render::CameraPath way_of_eyes(const PathArguments& arguments, const render::ModelFile& model, culler::SoupView soup) {
+  render::CameraPath path = arguments.through(model);
+  if (path.projection == culler::Projection::orthographic) {
+    throw render::InputError(arguments.name() + ": its rays are parallel: they come from no eye near the model");
+  }
+  warn_of_misfit(path, arguments, model.path.string(), soup);
+  return path;
+}
+
 std::vector<kernel::Aabb> read_cells(const std::string& file) {
   const nlohmann::json root = render::read_json(file);
   const auto fail = [&](const std::string& what) { throw render::InputError(fmt::format("{}: {}", file, what)); };

@@ -9,8 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/types.h"
 #include "occlude/render/camera_path.h"
+#include "occlude/render/walk.h"
+#include "path_arguments.h"
 
 namespace occlude::cli {
 
@@ -37,6 +40,12 @@ struct CellGrid {
   /// cells_of().
   [[nodiscard]] std::vector<kernel::Aabb> cells_along(const render::CameraPath& path, double reach) const;
 };
+
+/// The path that cells lie along. Warns as warn_of_misfit(). Throws as `arguments.through(model)`, and InputError for one
+/// with parallel rays: its eyes are infinitely far, and what they see is not what is seen from the way. `soup` is the
+/// model's.
+[[nodiscard]] render::CameraPath way_of_eyes(const PathArguments& arguments, const render::ModelFile& model,
+                                             culler::SoupView soup);
 
 /// Reads a list: {"cells":[{"min":[x,y,z],"max":[x,y,z]}, …]}. Throws InputError, naming the file and the cell.
 [[nodiscard]] std::vector<kernel::Aabb> read_cells(const std::string& file);

@@ -300,7 +300,7 @@ void prune(PruneArguments& arguments) {
   walk.build.hierarchy.leaf_size = 1;  // polygon by polygon
   render::ModelFile model = open_model(arguments.model, walk);
   std::vector<kernel::Aabb> cells;
-  if (arguments.from == kPath) cells = cells_along(arguments.path.through(model), arguments.reach);
+  if (arguments.from == kPath) cells = cells_along(way_of_eyes(arguments.path, model, *model.soup), arguments.reach);
   if (arguments.from == kCells) cells = read_cells(arguments.cells);
   const culler::Culler culler = render::make_culler(std::move(model), walk);
   const culler::Hierarchy& tree = culler.hierarchy();
@@ -354,9 +354,10 @@ void add_prune(Command app, int&) {
   command.add("--keep", a->keep, "name of a node, mesh, object, group or material of which all stays; may be repeated");
   add_input(command, "--cells", a->cells, "JSON file of boxes, as of bake");
   a->path.add_to(command, "of --from path");
-  command.add("--reach", a->reach, "how far eyes of --from path are from its way at most, along each axis")
-      .show_default()
-      .in_range(0.0, 1e9);
+  const Option reach =
+      command.add("--reach", a->reach, "how far eyes of --from path are from its way at most, along each axis")
+          .show_default()
+          .in_range(0.0, 1e9);
   a->read.add_to(command);
   command.under(kTuning, [&] {
     command.add("--rays", a->search.rays, "rays to each polygon from random eyes: what one reaches is not looked at further")
@@ -373,7 +374,12 @@ void add_prune(Command app, int&) {
   });
   a->proofs.add_to(command, "the polygons that go");
   command.add_flag("--json", a->json, "print the counts as JSON");
-  command.run([a] { prune(*a); });
+  command.run([=] {
+    if (a->from != kPath && (a->path.is_given() || reach.is_given())) {
+      refuse(a->path.is_given() ? "--path" : "--reach", "goes with --from path");
+    }
+    prune(*a);
+  });
 }
 
 }  // namespace occlude::cli

@@ -46,13 +46,13 @@ void audit(AuditArguments& arguments, int& exit_code) {
   AuditSums sums;
   std::string first;
   {
-    render::Progress progress("audited MB", log.size() >> 20U);
+    render::Progress progress("audited KiB", log.size() >> 10U);
     while (const std::optional<LoggedFrame> frame = log.next()) {
       const FrameAudit result = auditor.judge(*frame);
       sums.add(result);
       if (files) files->add(result, *frame, log, auditor);
       if (first.empty() && !result.visible.empty()) first = json_of(result.visible.front(), *frame, log).dump();
-      progress.update(log.read() >> 20U);
+      progress.update(log.read() >> 10U);
     }
   }
   if (sums.visible > 0) exit_code = kCheckFailed;

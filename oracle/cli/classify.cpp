@@ -105,13 +105,17 @@ bool classify(const cases::CoverLine& line, Json& answer) {
 
 void classify_file(const std::string& file, int& exit_code) {
   const bool prints_to_terminal = isatty(STDOUT_FILENO) != 0;
-  cases::for_each_case(file, prints_to_terminal, [&](std::size_t, const nlohmann::json& object) {
+  cases::for_each_case(file, prints_to_terminal, [&](std::size_t number, const nlohmann::json& object) {
     Json answer;
     answer["id"] = cases::case_id(object);
     const bool agree = cases::is_cover(object)    ? classify(cases::read_cover(object), answer)
                        : cases::is_region(object) ? classify(cases::read_region(object), answer)
                                                   : classify(cases::read_case(object), answer);
     if (!agree) exit_code = kCheckFailed;
+    if (!agree && object.contains("expect")) {
+      const std::string name = file == "-" ? "standard input" : file;
+      render::say(fmt::format("{}:{}: expected {}\n", name, number, object["expect"].get<std::string>()));
+    }
     render::tell(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
   });
 }

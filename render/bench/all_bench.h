@@ -7,6 +7,7 @@
 
 #include "bench.h"
 #include "experiments.h"
+#include "held_bench.h"
 #include "report.h"
 #include "scene_bench.h"
 #include "town_bench.h"
@@ -26,6 +27,7 @@ struct AllResult {
   Measured<SceneBenchOptions, SceneBenchResult> scene;
   Measured<TownBenchOptions, TownBenchResult> town;
   Measured<VisibilityOptions, VisibilityResult> visibility;
+  Measured<HeldBenchOptions, HeldBenchResult> held;
 };
 
 /// A time of another project over ours.

@@ -56,7 +56,7 @@ std::string report_text(const AllResult& all) {
   return text_of(boxes_beside(all)) + "\n" + text_of(table_of(all.visibility.result, all.visibility.options)) + "\n" +
          report_text(all.kernel) + "\n" + report_text(all.culler.result, all.culler.options) + "\n" +
          text_of(table_of(all.scene.result, all.scene.options)) + "\n" +
-         text_of(table_of(all.town.result, all.town.options));
+         text_of(table_of(all.town.result, all.town.options)) + "\n" + text_of(table_of(all.held.result, all.held.options));
 }
 
 std::string report_json(const AllResult& all) {
@@ -67,6 +67,7 @@ std::string report_json(const AllResult& all) {
                   {"scene", Json::parse(json_of(all.scene.result, all.scene.options))},
                   {"town", Json::parse(json_of(all.town.result, all.town.options))},
                   {"rivals", Json::parse(json_of(all.visibility.result, all.visibility.options))},
+                  {"held", Json::parse(json_of(all.held.result, all.held.options))},
                   {"machine", json_of(render::this_machine())}};
   return json.dump(2) + "\n";
 }
@@ -81,6 +82,7 @@ std::string report_html(const AllResult& all) {
   body += report_sections(all.culler.result, all.culler.options);
   body += "<h1>Worlds that change</h1>" + section(table_of(all.scene.result, all.scene.options)) +
           section(table_of(all.town.result, all.town.options));
+  body += "<h1>Culls that hold</h1>" + section(table_of(all.held.result, all.held.options));
   return render::page("occlude: all benchmarks", body);
 }
 

@@ -36,6 +36,7 @@ struct Sizes {
   experiments::SceneBenchOptions scene;
   experiments::TownBenchOptions town;
   experiments::VisibilityOptions visibility;
+  experiments::HeldBenchOptions held;
 };
 
 /// They end in a few minutes.
@@ -50,6 +51,7 @@ Sizes sizes_of_minutes() {
   sizes.scene.frames = 200;
   sizes.town.repetitions = 5;
   sizes.visibility.repetitions = 3;
+  sizes.held.frames = 600;
   return sizes;
 }
 
@@ -66,6 +68,7 @@ Sizes sizes_of_seconds() {
   sizes.scene.frames = sizes.scene.settling = sizes.scene.check_every = 4;
   sizes.town = {.houses = 1'000, .cars = 10, .walls = 900, .repetitions = 1, .frames = 4};
   sizes.visibility.repetitions = 1;
+  sizes.held.frames = 4;
   return sizes;
 }
 
@@ -80,7 +83,8 @@ experiments::AllResult measure_all(const Sizes& sizes, const experiments::Subjec
           .culler = measure_culler(sizes),
           .scene = {sizes.scene, measure_scene(sizes.scene)},
           .town = {sizes.town, bench_town(sizes.town)},
-          .visibility = {sizes.visibility, measure_visibility(subject, sizes.visibility)}};
+          .visibility = {sizes.visibility, measure_visibility(subject, sizes.visibility)},
+          .held = {sizes.held, bench_held(subject, sizes.held)}};
 }
 
 void bench_all(const BenchAllArguments& arguments, int& exit_code) {
@@ -102,8 +106,9 @@ void bench_all(const BenchAllArguments& arguments, int& exit_code) {
 void add_bench_all(Command bench, int& exit_code) {
   Command command = bench.add_command("all", "All benchmarks in smaller sizes, in one report beside other projects");
   command.footer(
-      "MODEL is for what is visible beside other projects, the generated city without one. The paper's experiments\n"
-      "run on a small city. Exit code 1 when a scene was culled wrongly.\n" +
+      "MODEL is for what is visible beside other projects and for culls that hold, the generated city without one. The "
+      "paper's\n"
+      "experiments run on a small city. Exit code 1 when a scene was culled wrongly.\n" +
       limits_help() +
       "\n"
       "Example: occlude bench all --out report");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -113,11 +115,12 @@ Option Option::show_default() { return Option(*option_->capture_default_str()); 
 Option Option::in_range(std::size_t least, std::size_t most) { return Option(*option_->check(CLI::Range(least, most))); }
 
 Option Option::in_range(double least, double most) {
-  const auto is_number = [](const std::string& text) {  // CLI::Range alone lets "nan" pass
+  const auto fault = [=](const std::string& text) -> std::string {  // CLI::Range lets "nan" pass, and shows 1e-9 as 0
     const std::optional<double> value = parse_number(text);
-    return value && std::isfinite(*value) ? "" : "'" + text + "' is not a number";
+    if (!value || !std::isfinite(*value)) return "'" + text + "' is not a number";
+    return *value < least || *value > most ? fmt::format("{} is not in the range from {} to {}", text, least, most) : "";
   };
-  return Option(*option_->check(CLI::Validator(is_number, "") & CLI::Range(least, most)));
+  return Option(*option_->check(CLI::Validator(fault, "") & CLI::Range(least, most)));
 }
 
 Option Option::not_negative() { return Option(*option_->check(CLI::NonNegativeNumber)); }

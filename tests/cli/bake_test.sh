@@ -332,6 +332,8 @@ expect_error '--cells' "$occlude" bake door.ply --out bad.pvs
 expect_error '--out' "$occlude" bake door.ply --cells cells.json
 expect_error 'missing.json' "$occlude" bake door.ply --cells missing.json --out bad.pvs
 expect_error 'missing.ply' "$occlude" bake missing.ply --cells cells.json --out bad.pvs
+echo '{"frames":2,"projection":"orthographic","height":2,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0,0,0],"target":[1,1,0]}]}' >parallel.json
+expect_error 'parallel.json: its rays are parallel' "$occlude" bake door.ply --cells corridor --path parallel.json --out bad.pvs
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 3:1 --out bad.pvs
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 3 --out bad.pvs
 expect_error '--heights' "$occlude" bake door.ply --cells grid --heights 1e300:1e300 --out bad.pvs

@@ -136,7 +136,7 @@ interrupt INT "$occlude" bench rivals --polygons 20000 --repetitions 1000 --out 
 # bench all: each part is what its own command prints, and every known project is there, installed or not.
 "$occlude" bench all good.ply --path path.json --frames 0:1 --size 64x36 --quick --json --out all >all.json || fail "bench all"
 cmp -s all.json all/bench.json || fail "bench all: bench.json is not what it prints"
-for part in ratios kernel culler scene town rivals machine; do grep -q "^  \"$part\": " all.json || fail "bench all: no $part"; done
+for part in ratios kernel culler scene town rivals held machine; do grep -q "^  \"$part\": " all.json || fail "bench all: no $part"; done
 for project in libccd FCL Bullet OpenSceneGraph Embree; do
   sed -n '/^  "ratios"/,/^  }/p' all.json | grep -q "^    \"$project\": " || fail "bench all: no $project"
   grep -q "$project: " all/bench.html || fail "bench all: no $project in the page"

@@ -16,8 +16,9 @@ cat >expected <<'END'
 END
 diff expected stdout || fail "classify answered otherwise"
 sed 's/"expect"/"expect_stage":"none","expect"/' cases.jsonl | "$occlude" classify | diff expected - || fail "members that are not its own matter"
-sed 's/"expect":"partial"/"expect":"outside"/' cases.jsonl | "$occlude" classify - >/dev/null
+sed 's/"expect":"partial"/"expect":"outside"/' cases.jsonl | "$occlude" classify - >/dev/null 2>stderr
 [ $? -eq 1 ] || fail "a wrong expectation was accepted"
+grep -q '^standard input:[0-9]*: expected outside$' stderr || fail "classify does not tell which case differs: $(cat stderr)"
 (head -1 cases.jsonl; echo '{"id":') | "$occlude" classify >stdout 2>stderr
 [ $? -eq 2 ] || fail "a broken line was accepted"
 [ "$(wc -l <stdout)" -eq 1 ] || fail "the lines before a broken one are to be answered"

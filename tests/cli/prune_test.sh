@@ -321,6 +321,13 @@ expect_error 'nothing in the model has the name lamp' "$occlude" prune window.ob
 expect_error '--cells' "$occlude" prune closed.ply --from cells --out bad.ply
 expect_error '--touching' "$occlude" prune closed.ply --from cells --cells cells.json --touching --out bad.ply
 expect_error '--cells' "$occlude" prune closed.ply --from outside --cells cells.json --out bad.ply
+echo '{"model":"closed.ply","frames":2,"projection":"orthographic","height":2,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0,0,0],"target":[1,1,0]}]}' >parallel.json
+sed 's/closed/other/; s/orthographic/perspective/; s/"height":2,//' parallel.json >other.json
+expect_error 'parallel.json: its rays are parallel' "$occlude" prune closed.ply --from path --path parallel.json --out bad.ply
+expect_error '--path: goes with --from path' "$occlude" prune closed.ply --from outside --path other.json --out bad.ply
+expect_error '--reach: goes with --from path' "$occlude" prune closed.ply --from outside --reach 2 --out bad.ply
+"$occlude" prune closed.ply --from path --path other.json --out other.ply >/dev/null 2>stderr
+grep -q 'other.json: made for other.ply, not for closed.ply' stderr || fail "prune takes the path of another model: $(cat stderr)"
 echo '{"cells":[]}' >none.json
 expect_error 'none.json: no cells' "$occlude" prune closed.ply --from cells --cells none.json --out bad.ply
 echo 'solid x' >model.stl
