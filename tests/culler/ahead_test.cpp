@@ -32,7 +32,7 @@ constexpr unsigned kCameras = 5000;
 
 dvec3 some_direction(std::mt19937& random) {
   for (;;) {
-    const dvec3 v{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+    const dvec3 v = random_point(random);
     if (const double length = glm::length(v); length > 0.1 && length < 1) return v / length;
   }
 }

@@ -29,8 +29,6 @@ std::uint32_t some_seed(std::mt19937& random) { return static_cast<std::uint32_t
 
 Culler culler_of(const PolygonSoup& soup) { return Culler(soup, {.hierarchy = {.leaf_size = 2}, .lists = {.regions = 8}}); }
 
-dvec3 some_vector(std::mt19937& random) { return {uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)}; }
-
 /// A ball, a box, a rectangle, or the way ahead.
 EyeRegion some_region(std::mt19937& random, const Camera& camera) {
   const double size = std::exp(uniform(random, std::log(0.01), std::log(3)));
@@ -38,9 +36,10 @@ EyeRegion some_region(std::mt19937& random, const Camera& camera) {
     case 0:
       return EyeRegion::ball(size);
     case 1:
-      return EyeRegion::box(size * some_vector(random), 0.5 * size * some_vector(random), 0.3 * size * some_vector(random));
+      return EyeRegion::box(size * random_point(random), 0.5 * size * random_point(random),
+                            0.3 * size * random_point(random));
     case 2:
-      return EyeRegion::box(size * some_vector(random), size * some_vector(random));
+      return EyeRegion::box(size * random_point(random), size * random_point(random));
     default:
       return EyeRegion::box(size * camera.axes().forward, 0.05 * camera.axes().right);
   }
@@ -49,7 +48,7 @@ EyeRegion some_region(std::mt19937& random, const Camera& camera) {
 /// An eye of the region: at a corner or on the sphere, on an edge, or anywhere.
 dvec3 some_eye(std::mt19937& random, const EyeRegion& eyes) {
   if (eyes.radius > 0) {
-    const dvec3 direction = glm::normalize(some_vector(random));
+    const dvec3 direction = glm::normalize(random_point(random));
     return direction * eyes.radius * (random() % 2 == 0 ? 1 - 1e-9 : uniform(random, 0, 1));
   }
   dvec3 eye(0);
