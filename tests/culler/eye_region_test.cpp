@@ -27,8 +27,6 @@ using glm::dvec3;
 
 std::uint32_t some_seed(std::mt19937& random) { return static_cast<std::uint32_t>(random()); }
 
-Culler culler_of(const PolygonSoup& soup) { return Culler(soup, {.hierarchy = {.leaf_size = 2}, .lists = {.regions = 8}}); }
-
 /// A ball, a box, a rectangle, or the way ahead.
 EyeRegion some_region(std::mt19937& random, const Camera& camera) {
   const double size = std::exp(uniform(random, std::log(0.01), std::log(3)));
@@ -76,7 +74,7 @@ TEST_P(EyeRegionTest, NothingThatAnyEyeSeesIsCulled) {
     camera.near_plane = std::array{0.01, 0.1, 1.0, 4.0}[random() % 4];
     camera.eyes = some_region(random, camera);
     ASSERT_EQ(fault(camera), "");
-    const Culler culler = culler_of(soup);
+    const Culler culler = small_leaves(soup);
     CullOptions options{.method = Method::frusta};
     options.method = GetParam();
     const CullResult frame = culler.cull(camera, options);
@@ -106,7 +104,7 @@ TEST(EyeRegion, OfNoExtentCullsAsItsPoint) {
   std::mt19937 random(seed_of(5));
   std::size_t of_points = 0, of_regions = 0;
   for (int i = 0; i < 40; ++i) {
-    const Culler culler = culler_of(random_town_of_houses(some_seed(random), 400));
+    const Culler culler = small_leaves(random_town_of_houses(some_seed(random), 400));
     Camera camera = random_camera(random);
     camera.projection = Projection::perspective;
     CullOptions options{.method = Method::frusta};
@@ -120,7 +118,7 @@ TEST(EyeRegion, OfNoExtentCullsAsItsPoint) {
 
 /// A larger region draws more: more is in view, and less is hidden.
 TEST(EyeRegion, LargerOnesDrawMore) {
-  const Culler culler = culler_of(random_town_of_houses(3, 2000));
+  const Culler culler = small_leaves(random_town_of_houses(3, 2000));
   CullOptions options{.method = Method::frusta};
   options.method = Method::cover;
   std::mt19937 random(seed_of(7));
@@ -148,7 +146,7 @@ TEST(EyeRegion, CullsTheSameOfAnySize) {
     camera.projection = Projection::perspective;
     camera.near_plane = 0.1;
     camera.eyes = i % 2 == 0 ? EyeRegion::ball(0.125) : EyeRegion::box({0.125, 0, 0}, {0, 0.25, 0});
-    const Culler culler = culler_of(soup);
+    const Culler culler = small_leaves(soup);
     const CullResult frame = culler.cull(camera, options);
     hidden += frame.stats.shadow_culled_polygons;
     for (const double size : {0x1p-76, 0x1p-60, 0x1p60, 0x1p76}) {
@@ -160,7 +158,7 @@ TEST(EyeRegion, CullsTheSameOfAnySize) {
       of_other.far_plane *= size;
       of_other.eyes.radius *= size;
       for (dvec3& half_edge : of_other.eyes.half_edges) half_edge *= size;
-      const CullResult result = culler_of(other).cull(of_other, options);
+      const CullResult result = small_leaves(other).cull(of_other, options);
       EXPECT_EQ(result.drawn, frame.drawn) << "frame " << i << ", size " << size;
     }
   }
