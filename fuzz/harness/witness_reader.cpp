@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <string>
-#include <string_view>
 
 #include "occlude/culler/hierarchy.h"
 #include "proof.h"

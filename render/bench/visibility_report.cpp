@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "occlude/render/machine.h"
-#include "occlude/render/page.h"
 #include "occlude/render/summary.h"
 #include "own_ways.h"
 #include "report.h"

@@ -2,14 +2,11 @@
 // Cameras whose frames hold for the way ahead.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <random>
-#include <string>
 
 #include "camera/frame_view.h"
 #include "camera/holds_for.h"

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>

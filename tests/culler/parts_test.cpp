@@ -5,21 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <set>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "cover/cover_triangles.h"
+#include "cover/cover_mesh.h"
 #include "forged_parts.h"
 #include "frame/culler_access.h"
 #include "frames.h"

@@ -6,14 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <memory>
 #include <random>
 #include <set>
-#include <string>
-#include <variant>
 #include <vector>
 
 #include "cases/to_oracle.h"
