@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "camera/extent.h"
 
-#include <cmath>
 #include <glm/vec2.hpp>
 
 #include "camera/frame_view.h"

@@ -2,7 +2,6 @@
 // What a frame asks of the region that its eye may be in.
 #pragma once
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <string_view>

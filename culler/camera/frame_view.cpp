@@ -8,10 +8,8 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
-#include "camera/eye_region.h"
 #include "camera/legal_half_space.h"
 #include "camera/matrix_eye.h"
 #include "camera/negligible.h"

@@ -2,7 +2,6 @@
 #include "camera/shadow_margin.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 

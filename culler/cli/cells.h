@@ -6,7 +6,6 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "occlude/culler/polygon_soup.h"

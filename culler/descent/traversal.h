@@ -16,7 +16,6 @@
 
 #include "base/each_bit.h"
 #include "base/sparse_zero_array.h"
-#include "camera/view_planes.h"
 #include "descent/block_descent.h"
 #include "model/block_tree.h"
 #include "occlude/culler/cull_result.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <memory>
-#include <utility>
 
 #include "camera/holds_for.h"
 #include "camera/shadow_rule.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frusta/convex_regions.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>

@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "occlude/culler/executor.h"
 #include "occlude/culler/parts.h"

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <variant>
 
 #include "frusta/candidate_order.h"
 #include "model/bounds.h"

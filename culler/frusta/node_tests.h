@@ -4,21 +4,17 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "base/each_bit.h"
 #include "camera/shadow_rule.h"
 #include "descent/parallel_traversal.h"
 #include "descent/volumes.h"
 #include "frusta/frusta_memory.h"
 #include "frusta/occluder_set.h"
 #include "model/block_tree.h"
-#include "model/bounds.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/box_block.h"
-#include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_union.h"
 
 namespace occlude::culler {

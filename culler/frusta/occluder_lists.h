@@ -8,7 +8,6 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "frusta/partition.h"

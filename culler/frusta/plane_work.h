@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 
 namespace occlude::culler {

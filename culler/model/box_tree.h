@@ -2,7 +2,6 @@
 // A binary tree over the boxes of polygons.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

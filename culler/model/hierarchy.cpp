@@ -2,7 +2,6 @@
 #include "occlude/culler/hierarchy.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "model/bounds.h"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/packed_tree.h"
 
-#include <algorithm>
-#include <array>
-
 namespace occlude::culler {
 namespace {
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/parts.h"

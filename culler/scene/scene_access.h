@@ -2,7 +2,6 @@
 // What the project itself asks of a scene, beside what programs do.
 #pragma once
 
-#include <mutex>
 #include <shared_mutex>
 
 #include "occlude/culler/scene.h"

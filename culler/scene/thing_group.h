@@ -4,7 +4,6 @@
 
 #include <hwy/cache_control.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -155,7 +154,6 @@ class ThingGroup {
 extern template class ThingGroup<SceneKind::object>;
 extern template class ThingGroup<SceneKind::occluder>;
 
-using SceneObject = SceneThing<SceneKind::object>;
 using ObjectGroup = ThingGroup<SceneKind::object>;
 using OccluderGroup = ThingGroup<SceneKind::occluder>;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "cover/placed.h"
 #include "cover/prepared_mesh.h"

@@ -2,7 +2,6 @@
 // The triangles of a soup, joined where they are exactly flat, and what is left of them without needless vertices.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -2,7 +2,6 @@
 #include "simplify/shares_of_hiding.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 

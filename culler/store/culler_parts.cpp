@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A culler to parts, and from them.
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>

@@ -4,10 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/part_checks.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The parts of potential occluders, and the checks of parts that are said to be those.
 #include <cmath>
-#include <memory>
 #include <string_view>
 #include <utility>
 

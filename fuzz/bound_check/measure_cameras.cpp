@@ -9,7 +9,7 @@
 #include "camera/matrix_eye.h"
 #include "camera/single_precision.h"
 #include "measure_culler.h"
-#include "true_picture.h"
+#include "true_plane.h"
 
 namespace occlude::bound_check {
 namespace {

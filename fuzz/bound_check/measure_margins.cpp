@@ -2,10 +2,7 @@
 // A square hides a point behind one of its sides, where the point is moved from the middle of the shadow towards the border
 // until a margin no longer keeps it. How far that is from the border tells what the margin has room for, and exact moves of
 // all concerned tell what it needs.
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>

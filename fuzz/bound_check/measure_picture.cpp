@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <limits>
 
 #include "base/rounded_float.h"

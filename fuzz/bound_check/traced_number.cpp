@@ -2,7 +2,6 @@
 #include "traced_number.h"
 
 #include <cmath>
-#include <utility>
 
 namespace occlude::bound_check {
 namespace {

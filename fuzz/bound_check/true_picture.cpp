@@ -12,8 +12,6 @@ Vector across(const Vector& axis, const Vector& rays) { return axis - (axis * ra
 
 }  // namespace
 
-Vector vector_of(const glm::dvec3& v) { return {Exact(v.x), Exact(v.y), Exact(v.z)}; }
-
 Vector unit(const Vector& v) { return v / (root(v * v) * (1 + Exact(0x1p-101))); }
 
 TruePicture::TruePicture(const culler::ConservativeViewport& picture)

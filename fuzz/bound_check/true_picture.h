@@ -10,7 +10,6 @@
 
 namespace occlude::bound_check {
 
-[[nodiscard]] Vector vector_of(const glm::dvec3& v);
 /// The same direction; no longer than 1, and shorter by a share of less than 2^-100.
 [[nodiscard]] Vector unit(const Vector& v);
 

@@ -44,8 +44,6 @@ TruePlane build(const kernel::StoredFrustum&, const kernel::SightPlane& plane) {
 
 }  // namespace
 
-Vector vector_of(const kernel::Vec3& v) { return {Exact(v.x), Exact(v.y), Exact(v.z)}; }
-
 TruePlane true_plane(const kernel::StoredFrustum& frustum, const kernel::PlaneRecipe& recipe) {
   return std::visit([&](const auto& plane) { return build(frustum, plane); }, recipe);
 }

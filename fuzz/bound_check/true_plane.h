@@ -11,7 +11,10 @@ namespace occlude::bound_check {
 
 using Vector = CGAL::Simple_cartesian<Exact>::Vector_3;
 
-[[nodiscard]] Vector vector_of(const kernel::Vec3& v);
+template <class V>
+[[nodiscard]] Vector vector_of(const V& v) {
+  return {Exact(v.x), Exact(v.y), Exact(v.z)};
+}
 
 /// f(x) = normal . x + offset.
 struct TruePlane {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -26,13 +25,12 @@
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/ranks.h"
+#include "occlude/render/stopwatch.h"
 #include "packed_reports.h"
 #include "results.h"
 
 namespace occlude::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// The default takes some ten seconds. The most is below 2^53, so every reader of JSON counts exactly.
 constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1} << 50U;
@@ -90,12 +88,12 @@ class Watch {
     return !is_over && !(stop_at_first_ && findings > 0);
   }
 
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  [[nodiscard]] double seconds() const { return stopwatch_.seconds(); }
 
  private:
   double seconds_;
   bool stop_at_first_;
-  Clock::time_point start_ = Clock::now();
+  render::Stopwatch stopwatch_;
 };
 
 /// Makes the finding smaller while it keeps its kind.

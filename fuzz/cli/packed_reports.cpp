@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "cases/case_line.h"
 #include "cases/json_input.h"

@@ -13,6 +13,7 @@
 #include "border.h"
 #include "cases/to_oracle.h"
 #include "frame/culler_access.h"
+#include "model/bounds.h"
 #include "occlude/fuzz/case.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/oracle/region.h"
@@ -24,10 +25,9 @@ using culler::Culled;
 using culler::CullOptions;
 using culler::CullResult;
 using culler::Hierarchy;
+using culler::to_kernel;
 using glm::dvec3;
 using proof::AnyCamera;
-
-kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// The bounding box of the soup, computed without the boxes of the tree.
 oracle::Aabb box_of(culler::SoupView soup) {

@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 

@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "any_case.h"
+#include "cases/case_json.h"
 #include "exact_visibility.h"
 #include "experiment.h"
 #include "frame/culler_access.h"
+#include "model/bounds.h"
 #include "occlude/culler/culler.h"
 #include "proof.h"
 #include "rows.h"
@@ -28,6 +30,7 @@ using culler::Camera;
 using culler::Culler;
 using culler::PolygonSoup;
 using culler::SoupView;
+using culler::to_glm;
 using glm::dvec3;
 using Json = nlohmann::json;
 using Plane = std::array<double, 4>;
@@ -37,15 +40,8 @@ constexpr std::size_t kLines = 4 * kGroup;
 
 constexpr std::size_t kFrames = 2;
 
-/// JSON has no numbers for what is not finite, so the reader takes these strings.
-Json json(double x) {
-  if (std::isfinite(x)) return x;
-  return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
-}
-
+Json json(double x) { return cases::json_of(x); }
 Json json(const dvec3& v) { return {json(v.x), json(v.y), json(v.z)}; }
-
-dvec3 to_glm(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// A camera of any size that is legal.
 Camera forged_camera(Random& random, SoupView soup) {
@@ -200,13 +196,7 @@ class Forger {
 
   kernel::Aabb box_of(const culler::PolygonRange& run) const {
     kernel::Aabb box = soup().box(run.first);
-    for (std::uint32_t p = run.first; p < run.first + run.count; ++p) {
-      const kernel::Aabb own = soup().box(p);
-      for (int axis = 0; axis < 3; ++axis) {
-        box.min[axis] = std::min(box.min[axis], own.min[axis]);
-        box.max[axis] = std::max(box.max[axis], own.max[axis]);
-      }
-    }
+    for (std::uint32_t p = run.first; p < run.first + run.count; ++p) culler::grow(box, soup().box(p));
     return box;
   }
 

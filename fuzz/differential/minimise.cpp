@@ -2,7 +2,6 @@
 #include "minimise.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>

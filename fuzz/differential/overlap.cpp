@@ -12,7 +12,6 @@
 #include "cases/to_oracle.h"
 #include "experiment.h"
 #include "occlude/fuzz/neighbours.h"
-#include "occlude/fuzz/random.h"
 #include "occlude/kernel/batch.h"
 #include "occlude/oracle/second.h"
 #include "rivals.h"

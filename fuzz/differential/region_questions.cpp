@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "any_case.h"
 

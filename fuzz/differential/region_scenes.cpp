@@ -21,13 +21,8 @@ using glm::dvec3;
 
 /// The box of all vertices.
 kernel::Aabb box_of(const culler::PolygonSoup& soup) {
-  kernel::Aabb box = soup.box(0);
-  for (const dvec3& v : soup.vertices) {
-    for (int axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], v[axis]);
-      box.max[axis] = std::max(box.max[axis], v[axis]);
-    }
-  }
+  kernel::Aabb box = culler::empty_box();
+  for (const dvec3& v : soup.vertices) culler::grow(box, culler::to_kernel(v));
   return box;
 }
 

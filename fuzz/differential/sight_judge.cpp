@@ -2,9 +2,7 @@
 #include "sight_judge.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 #include <variant>
 
 #include "cases/to_oracle.h"

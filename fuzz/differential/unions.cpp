@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "any_case.h"
 #include "cases/ask.h"

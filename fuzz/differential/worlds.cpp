@@ -9,7 +9,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "cases/to_oracle.h"
+#include "model/bounds.h"
 #include "occlude/culler/scene.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/oracle/questions.h"
@@ -43,14 +43,13 @@ using culler::Placement;
 using culler::Scene;
 using culler::SceneOptions;
 using culler::SceneView;
+using culler::to_glm;
+using culler::to_kernel;
 using culler::Visibility;
 using glm::dvec3;
 using kernel::Aabb;
 using kernel::Vec3;
 using Reason = ObjectFate::Reason;
-
-Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
-dvec3 to_glm(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 struct Mesh {
   culler::PolygonSoup soup;

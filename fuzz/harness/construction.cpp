@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes occluders of any shape, often illegal. Each is refused by everyone or by no one, however it is written.
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 

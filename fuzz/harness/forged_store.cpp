@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -12,12 +11,12 @@
 #include <limits>
 #include <numeric>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "differential/small_scenes.h"
 #include "frusta/convex_regions.h"
 #include "frusta/partition.h"
+#include "model/bounds.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/store.h"
@@ -227,13 +226,7 @@ void table(Random& random, std::vector<std::byte>& store) {
 /// The smallest box of polygons [first, first + count).
 kernel::Aabb box_of(culler::SoupView soup, U32 first, U32 count) {
   kernel::Aabb box = soup.box(first);
-  for (U32 p = first + 1; p < first + count; ++p) {
-    const kernel::Aabb other = soup.box(p);
-    for (int axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], other.min[axis]);
-      box.max[axis] = std::max(box.max[axis], other.max[axis]);
-    }
-  }
+  for (U32 p = first + 1; p < first + count; ++p) culler::grow(box, soup.box(p));
   return box;
 }
 

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -22,6 +21,7 @@
 
 #include "forged_store.h"
 #include "judged_store.h"
+#include "occlude/render/stopwatch.h"
 
 namespace {
 
@@ -39,14 +39,14 @@ void write(const fs::path& file, const harness::ForgedStore& forged) {
 }
 
 bool judge(std::uint64_t number, const fs::path& folder, std::map<std::string, Row>& rows) {
-  const auto start = std::chrono::steady_clock::now();
+  const render::Stopwatch stopwatch;
   const fs::path file = folder / (std::to_string(number) + ".store");
   fuzz::Random random(number);
   const harness::ForgedStore forged = harness::forged_store(random);
   write(file, forged);
   const harness::JudgedStore judged = harness::judged(file, forged.has_oriented_boxes, random);
   Row& row = rows[forged.what];
-  row.seconds = std::max(row.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  row.seconds = std::max(row.seconds, stopwatch.seconds());
   ++(!judged.fault.empty() ? row.wrong : judged.is_refused ? row.refused : row.taken);
   if (judged.fault.empty()) {
     fs::remove(file);

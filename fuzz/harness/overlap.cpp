@@ -2,7 +2,6 @@
 // Asks the kernel's main question of everyone: one shadow, some boxes.
 #include "differential/overlap.h"
 
-#include <span>
 #include <vector>
 
 #include "cases/case_line.h"

@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <string>
-#include <string_view>
 
 #include "hidden_proof.h"
 #include "occlude/culler/hierarchy.h"

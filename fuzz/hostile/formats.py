@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The formats that `occlude` reads: a sound file of each, hostile ones made of it, and bombs."""
 import base64
+import functools
 import gzip
 import io
 import json
@@ -135,23 +136,25 @@ def gltf_parts():
              "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": len(indices)},
                              {"buffer": 0, "byteOffset": len(indices), "byteLength": len(positions), "byteStride": 12}],
              "buffers": [{"byteLength": len(indices) + len(positions)}]}
-    return scene, indices + positions
+    return scene, bytearray(indices + positions)
+
+
+def add_accessor(scene, binary, kind, component, form, elements, **more):
+    """Adds numbers to the buffer of a scene, and returns the index of their accessor."""
+    data = b"".join(struct.pack("<" + form, *element) for element in elements)
+    scene["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(data)})
+    scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "componentType": component,
+                               "count": len(elements), "type": kind, **more})
+    binary += data + b"\0" * (-len(data) % 4)
+    scene["buffers"][0]["byteLength"] = len(binary)
+    return len(scene["accessors"]) - 1
 
 
 def gltf_of_all_kinds():
     """A scene with what else may say where vertices are: a skin, morph targets, sparse and quantised numbers, instances."""
     scene, binary = gltf_parts()
     scene["extensionsUsed"] = ["KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility"]
-
-    def accessor(kind, component, form, elements, **more):
-        nonlocal binary
-        data = b"".join(struct.pack("<" + form, *element) for element in elements)
-        scene["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(data)})
-        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "componentType": component,
-                                   "count": len(elements), "type": kind, **more})
-        binary += data + b"\0" * (-len(data) % 4)
-        return len(scene["accessors"]) - 1
-
+    accessor = functools.partial(add_accessor, scene, binary)
     count = len(VERTICES)
     identity = [1.0 if i % 5 == 0 else 0.0 for i in range(16)]
     attributes = scene["meshes"][0]["primitives"][0]["attributes"]
@@ -179,7 +182,6 @@ def gltf_of_all_kinds():
                         "extensions": {"EXT_mesh_gpu_instancing": {"attributes": instances},
                                        "KHR_node_visibility": {"visible": True}}}]
     scene["nodes"][0]["children"] += [2, 3]
-    scene["buffers"][0]["byteLength"] = len(binary)
     return scene, binary
 
 
@@ -204,18 +206,14 @@ def glb(scene=None, binary=None, lengths=(0, 0, 0)):
 def gltf_camera():
     """The same with a camera that moves."""
     scene, binary = gltf_parts()
-    tracks = [(1, "SCALAR", [0, 0.5, 1]), (3, "VEC3", [0, 0, 0, 0.5, 0.25, 0, 1, 0, 0]),
-              (4, "VEC4", [0.5, -0.5, -0.5, 0.5] * 3)]
-    for width, kind, numbers in tracks:
-        scene["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": 4 * len(numbers)})
-        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "componentType": 5126,
-                                   "count": len(numbers) // width, "type": kind})
-        binary += struct.pack(f"<{len(numbers)}f", *numbers)
-    scene["buffers"][0]["byteLength"] = len(binary)
+    times = add_accessor(scene, binary, "SCALAR", 5126, "f", [(0,), (0.5,), (1,)])
+    places = add_accessor(scene, binary, "VEC3", 5126, "3f", [(0, 0, 0), (0.5, 0.25, 0), (1, 0, 0)])
+    turns = add_accessor(scene, binary, "VEC4", 5126, "4f", [(0.5, -0.5, -0.5, 0.5)] * 3)
     scene["scenes"][0]["nodes"].append(2)
     scene["nodes"] += [{"children": [3]}, {"name": "eye", "camera": 0}]
     scene["cameras"] = [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1, "zfar": 1000}}]
-    scene["animations"] = [{"samplers": [{"input": 2, "output": 3}, {"input": 2, "output": 4, "interpolation": "STEP"}],
+    scene["animations"] = [{"samplers": [{"input": times, "output": places},
+                                         {"input": times, "output": turns, "interpolation": "STEP"}],
                             "channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}},
                                          {"sampler": 1, "target": {"node": 3, "path": "rotation"}}]}]
     return gltf(scene, binary)

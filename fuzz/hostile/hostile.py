@@ -13,13 +13,13 @@ import os
 import pathlib
 import random
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
 import threading
 import time
 
+import ends
 import formats
 
 MIB = 1 << 20
@@ -83,12 +83,8 @@ def fault(name, kind, outcome, folder, with_limits):
     code, seconds, memory, errors = outcome
     if kind == formats.SOUND and code != 0:
         return "a sound file is refused"
-    if code is None:
-        return f"no end within {2 * SECONDS} s"
-    if code < 0:
-        return f"ended by {signal.Signals(-code).name}"
-    if code not in (0, 1, 2):
-        return f"exit code {code}"
+    if wrong := ends.fault(code, 2 * SECONDS, errors):
+        return wrong
     lines = errors.splitlines()
     # A damaged model or path has what is worth warnings.
     while lines and lines[0].startswith(b"occlude: warning: "):
@@ -96,10 +92,6 @@ def fault(name, kind, outcome, folder, with_limits):
     # What a check has found, exit code 1, may take a line for each kind.
     if len(lines) not in {0: (0,), 1: (0, 1, 2), 2: (1,)}[code]:
         return f"exit code {code} with {len(lines)} lines on stderr"
-    if any(byte < 32 and byte != 10 or byte == 127 for byte in errors):
-        return "control characters on stderr"
-    if len(errors) > 10_000:
-        return f"{len(errors)} bytes on stderr"
     if code == 2 and formats.FILES[name].encode() not in errors:
         return "an error that does not name the file"
     if code == 2 and b"std::" in errors:

@@ -17,12 +17,13 @@ import os
 import pathlib
 import random
 import shutil
-import signal
 import socket
 import struct
 import subprocess
 import sys
 import tempfile
+
+import ends
 
 # No part takes longer to do again than seconds, and sanitizers and other work make it slower.
 SECONDS = 120
@@ -464,18 +465,10 @@ def is_refused(outcome):
 def fault(outcome, is_lie, is_same, folder):
     """What is wrong with how the command took the parts, or nothing."""
     code, out, errors = outcome
-    if code is None:
-        return f"no end within {SECONDS} s"
-    if code < 0:
-        return f"ended by {signal.Signals(-code).name}"
     if code == SANITIZED or b"Sanitizer" in errors or b"runtime error" in errors:
         return "a report of a sanitizer"
-    if code not in (0, 1, 2):
-        return f"exit code {code}"
-    if any(byte < 32 and byte != 10 or byte == 127 for byte in out + errors):
-        return "control characters"
-    if len(errors) > 10_000:
-        return f"{len(errors)} bytes on stderr"
+    if wrong := ends.fault(code, SECONDS, errors, out):
+        return wrong
     if is_refused(outcome):
         if b"occlude: kept" not in errors and not is_lie:
             return "an error that does not name the part"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frames.h"
 
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>

@@ -2,7 +2,6 @@
 // Random vectors, and convex polygons with small integer coordinates.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

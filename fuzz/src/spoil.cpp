@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/fuzz/spoil.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>

@@ -2,10 +2,8 @@
 #include "bench.h"
 
 #include <algorithm>
-#include <exception>
 #include <functional>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
 
 #include "batch.h"

@@ -14,6 +14,8 @@ namespace occlude::bench {
 [[nodiscard]] std::vector<render::Table> tables_of(const Result& result);
 [[nodiscard]] std::string report_text(const Result& result);
 
+[[nodiscard]] nlohmann::ordered_json json_of(const std::vector<PeerSummary>& peers);
+
 /// A single JSON object. What could not be measured on this machine is null.
 [[nodiscard]] std::string report_json(const Result& result);
 

@@ -54,15 +54,13 @@ Json ns_json(const Result& result) {
   return json;
 }
 
-Json peers_json(const Result& result) {
+}  // namespace
+
+Json json_of(const std::vector<PeerSummary>& peers) {
   Json json = Json::array();
-  for (const PeerSummary& peer : result.peers) {
-    json.push_back({{"name", peer.name}, {"version", peer.shown_version()}});
-  }
+  for (const PeerSummary& peer : peers) json.push_back({{"name", peer.name}, {"version", peer.shown_version()}});
   return json;
 }
-
-}  // namespace
 
 std::string report_json(const Result& result) {
   Json machine = json_of(render::this_machine());
@@ -76,7 +74,7 @@ std::string report_json(const Result& result) {
       {"operations", {{"paper", costs_json(paper_costs())}, {"measured", costs_json(result.costs)}}},
       {"ns", ns_json(result)},
       {"answers", answers_json(result)},
-      {"peers", peers_json(result)},
+      {"peers", json_of(result.peers)},
       {"machine", machine},
   };
   return json.dump(2) + '\n';

@@ -2,8 +2,6 @@
 // Boxes that touch the border of a shadow frustum.
 #pragma once
 
-#include <cstddef>
-
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/types.h"

@@ -10,10 +10,8 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "planes.h"
 #include "vector3.h"

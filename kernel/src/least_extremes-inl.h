@@ -10,8 +10,6 @@
 
 #include <hwy/highway.h>
 
-#include <cmath>
-
 #include "lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

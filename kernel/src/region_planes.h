@@ -17,10 +17,8 @@
 //   corner of the region, or through a vertex and an edge of the region.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory_resource>
-#include <span>
 #include <vector>
 
 #include "occlude/kernel/region_shadow.h"

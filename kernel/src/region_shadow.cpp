@@ -2,7 +2,6 @@
 #include "occlude/kernel/region_shadow.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "box_plane.h"
 #include "build_frustum.h"

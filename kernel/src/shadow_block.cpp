@@ -10,7 +10,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "error_bounds.h"

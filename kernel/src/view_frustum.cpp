@@ -5,7 +5,6 @@
 // box cancels, three have one in which two axes cancel, and that combination separates them.
 #include "occlude/kernel/view_frustum.h"
 
-#include <array>
 #include <cstddef>
 
 #include "arithmetic.h"

@@ -25,13 +25,7 @@ std::optional<std::string> expect_of(const nlohmann::json& object) {
   return expect.get<std::string>();
 }
 
-/// JSON has no NaN and no infinity. They become strings, as json_input.h reads them.
-OrderedJson json(double x) {
-  if (std::isfinite(x)) return x;
-  return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
-}
-
-OrderedJson json(const kernel::Vec3& v) { return OrderedJson::array({json(v.x), json(v.y), json(v.z)}); }
+OrderedJson json(const kernel::Vec3& v) { return OrderedJson::array({json_of(v.x), json_of(v.y), json_of(v.z)}); }
 
 template <class Points>
 OrderedJson json_of_all(const Points& points) {
@@ -62,6 +56,11 @@ std::string finished(OrderedJson line, const Box& box, const std::string& expect
 }
 
 }  // namespace
+
+OrderedJson json_of(double x) {
+  if (std::isfinite(x)) return x;
+  return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
+}
 
 OrderedJson case_id(const nlohmann::json& object) {
   if (!object.contains("id")) return nullptr;

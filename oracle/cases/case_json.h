@@ -46,6 +46,9 @@ struct RegionLine {
 
 [[nodiscard]] RegionLine read_region(const nlohmann::json& object);
 
+/// JSON has no NaN and no infinity. They become strings, as json_input.h reads them.
+[[nodiscard]] nlohmann::ordered_json json_of(double x);
+
 /// The line that reads back as the same case, without a line break. An empty `expect` is left out.
 [[nodiscard]] std::string write_case(const std::string& id, const Case& question, const std::string& expect);
 [[nodiscard]] std::string write_case(const std::string& id, const RegionCase& question, const std::string& expect);

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <variant>
-#include <vector>
 
 #include "cases/ask.h"
 #include "cases/case_line.h"

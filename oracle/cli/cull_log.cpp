@@ -7,8 +7,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
-#include <utility>
 
 #include "command_arguments.h"
 #include "occlude/kernel/validity.h"

@@ -2,7 +2,6 @@
 // What rays of a frame meet in the whole model: quickly in doubles, which may err by rounding, and exactly.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>

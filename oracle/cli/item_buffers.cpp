@@ -7,7 +7,6 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <numeric>
-#include <span>
 
 #include "command_arguments.h"
 #include "marked_picture.h"

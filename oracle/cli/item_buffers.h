@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>

@@ -2,7 +2,6 @@
 #include "model_scene.h"
 
 #include <memory>
-#include <span>
 #include <variant>
 
 #include "occlude/render/witness.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "box.h"
 
-#include <algorithm>
-
 #include "faults.h"
 
 namespace occlude::oracle {

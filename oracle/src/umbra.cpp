@@ -2,8 +2,6 @@
 // A corner b of the box is in the shadow from every eye when all eyes are in the shadow from b. This shadow is convex, so it
 // is a question about planes: those through b and an edge of a polygon, or two vertices of a polytope with all others on one
 // side, and those of the faces turned to b. The points with this property are convex, too, so corners are enough.
-#include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "box.h"

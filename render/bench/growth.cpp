@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "growth.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "bench.h"

@@ -9,28 +9,29 @@
 
 namespace occlude::experiments {
 
-using Json = nlohmann::ordered_json;
-
 render::Table table_of(const HeldBenchResult& result, const HeldBenchOptions& options) {
   render::Table table{.title = "Culls that hold: " + result.model,
-                      .columns = {{"milliseconds a frame"},
-                                  {"held"},
-                                  {"on the caller's thread"},
-                                  {"worst there"},
-                                  {"not by point"},
-                                  {"by point"},
-                                  {"hidden, of by point's"},
-                                  {"drawn"},
-                                  {"by point"},
-                                  {"frames by point"},
-                                  {"regions"}},
+                      .columns = {{"milliseconds a frame", "move"},
+                                  {"held", "ms", render::rounded<3>},
+                                  {"on the caller's thread", "own_ms", render::rounded<3>},
+                                  {"worst there", "worst_own_ms", render::rounded<2>},
+                                  {"not by point", "worst_held_ms", render::rounded<2>},
+                                  {"", "beside_ms"},
+                                  {"", "worst_beside_ms"},
+                                  {"by point", "point_ms", render::rounded<2>},
+                                  {"hidden, of by point's", "hidden_over_point", render::percent},
+                                  {"drawn", "drawn"},
+                                  {"by point", "drawn_by_point"},
+                                  {"frames by point", "frames_by_point"},
+                                  {"regions", "regions"},
+                                  {"", "regions_around"},
+                                  {"", "regions_late"}},
                       .rows = {}};
   for (const HeldMove& move : result.moves) {
-    table.rows.push_back({move.name, fmt::format("{:.3f}", move.ms()), fmt::format("{:.3f}", move.own_ms),
-                          fmt::format("{:.2f}", move.worst_own_ms), fmt::format("{:.2f}", move.worst_held_ms),
-                          fmt::format("{:.2f}", move.point_ms), fmt::format("{:.1f} %", 100 * move.hidden_share),
-                          fmt::format("{:.0f}", move.drawn), fmt::format("{:.0f}", move.drawn_by_point),
-                          fmt::format("{}", move.stats.of_point), fmt::format("{}", move.stats.regions)});
+    const culler::HeldStats& stats = move.stats;
+    table.rows.push_back({move.name, move.ms(), move.own_ms, move.worst_own_ms, move.worst_held_ms, move.beside_ms,
+                          move.worst_beside, move.point_ms, move.hidden_share, move.drawn, move.drawn_by_point,
+                          stats.of_point, stats.regions, stats.around, stats.late});
   }
   table.notes = {fmt::format("{} polygons; {} frames of each, {} a second; regions are culled beside, and counted.",
                              result.polygons, options.frames, options.frames_a_second),
@@ -51,32 +52,14 @@ std::string chart_of(const HeldBenchResult& result, const HeldBenchOptions& opti
 }
 
 std::string json_of(const HeldBenchResult& result, const HeldBenchOptions& options) {
-  Json moves = Json::array();
-  for (const HeldMove& move : result.moves) {
-    moves.push_back({{"move", move.name},
-                     {"ms", move.ms()},
-                     {"own_ms", move.own_ms},
-                     {"worst_own_ms", move.worst_own_ms},
-                     {"worst_held_ms", move.worst_held_ms},
-                     {"beside_ms", move.beside_ms},
-                     {"worst_beside_ms", move.worst_beside},
-                     {"point_ms", move.point_ms},
-                     {"hidden_over_point", move.hidden_share},
-                     {"drawn", move.drawn},
-                     {"drawn_by_point", move.drawn_by_point},
-                     {"frames_by_point", move.stats.of_point},
-                     {"regions", move.stats.regions},
-                     {"regions_around", move.stats.around},
-                     {"regions_late", move.stats.late}});
-  }
-  const Json json{{"model", result.model},
-                  {"polygons", result.polygons},
-                  {"frames", options.frames},
-                  {"frames_a_second", options.frames_a_second},
-                  {"cover_size", {options.cull.cover.width, options.cull.cover.height}},
-                  {"leaf", options.leaf},
-                  {"moves", moves},
-                  {"machine", json_of(render::this_machine())}};
+  const nlohmann::ordered_json json{{"model", result.model},
+                                    {"polygons", result.polygons},
+                                    {"frames", options.frames},
+                                    {"frames_a_second", options.frames_a_second},
+                                    {"cover_size", {options.cull.cover.width, options.cull.cover.height}},
+                                    {"leaf", options.leaf},
+                                    {"moves", json_of(table_of(result, options))},
+                                    {"machine", json_of(render::this_machine())}};
   return json.dump(2) + "\n";
 }
 

@@ -3,7 +3,6 @@
 // of triangles that a frame may draw into the picture.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "occluders.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>

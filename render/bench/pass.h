@@ -2,7 +2,6 @@
 // Culls every frame along a path without drawing.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 
 #include "occlude/culler/culler.h"

@@ -2,10 +2,10 @@
 // How measurements of many frames are told.
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <vector>
 
+#include "occlude/render/stopwatch.h"
 #include "occlude/render/table.h"
 
 namespace occlude::experiments {
@@ -26,9 +26,9 @@ struct Spread {
 /// Milliseconds that work() takes.
 template <class Work>
 [[nodiscard]] double milliseconds(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const render::Stopwatch stopwatch;
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return stopwatch.milliseconds();
 }
 
 }  // namespace occlude::experiments

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "occlude/render/machine.h"
-#include "occlude/render/page.h"
 #include "occlude/render/summary.h"
 #include "own_ways.h"
+#include "report.h"
 #include "visibility.h"
 
 namespace occlude::experiments {
@@ -62,10 +61,7 @@ render::Table table_of(const VisibilityResult& result, const VisibilityOptions& 
 }
 
 std::string json_of(const VisibilityResult& result, const VisibilityOptions& options) {
-  Json rivals = Json::array(), pictures = Json::array();
-  for (const bench::PeerSummary& rival : result.rivals) {
-    rivals.push_back({{"name", rival.name}, {"version", rival.shown_version()}});
-  }
+  Json pictures = Json::array();
   for (const RayPicture& picture : options.pictures) pictures.push_back({picture.width, picture.height});
   const Json json{
       {"model", result.model},
@@ -77,7 +73,7 @@ std::string json_of(const VisibilityResult& result, const VisibilityOptions& opt
       {"tree", {{"leaf", options.walk.build.hierarchy.leaf_size}, {"leaves", result.leaves}, {"built_ms", result.tree_ms}}},
       {"mean", {{"view_frustum_polygons", result.in_view}, {"hidden_polygons", result.hidden}}},
       {"ways", json_of(table_of(result, options))},
-      {"rivals", rivals},
+      {"rivals", bench::json_of(result.rivals)},
       {"machine", json_of(render::this_machine())}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // occlude bench town
 #include <memory>
-#include <string>
 
 #include "command_arguments.h"
 #include "commands.h"

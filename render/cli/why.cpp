@@ -2,7 +2,6 @@
 // occlude why
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>

@@ -2,14 +2,11 @@
 // Cameras whose frames hold for the way ahead.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <random>
-#include <string>
 
 #include "camera/frame_view.h"
 #include "camera/holds_for.h"
@@ -32,7 +29,7 @@ constexpr unsigned kCameras = 5000;
 
 dvec3 some_direction(std::mt19937& random) {
   for (;;) {
-    const dvec3 v{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+    const dvec3 v = random_point(random);
     if (const double length = glm::length(v); length > 0.1 && length < 1) return v / length;
   }
 }

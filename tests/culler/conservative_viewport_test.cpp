@@ -19,10 +19,6 @@ namespace conservative_viewport_test {
 using namespace occlude;
 using namespace occlude::culler;
 
-glm::dvec3 some(std::mt19937& random, double size = 1) {
-  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
-}
-
 class ConservativeViewportTest : public testing::TestWithParam<Projection> {};
 
 INSTANTIATE_TEST_SUITE_P(Both, ConservativeViewportTest, testing::Values(Projection::perspective, Projection::orthographic),
@@ -37,8 +33,8 @@ TEST_P(ConservativeViewportTest, BoundsHoldWhereverPointsAreMoved) {
   for (int i = 0; i < 4000; ++i) {
     Camera camera;
     camera.projection = GetParam();
-    camera.eye = some(random, 10);
-    camera.target = camera.eye + some(random);
+    camera.eye = random_point(random, 10);
+    camera.target = camera.eye + random_point(random);
     camera.fov_y_deg = uniform(random, 5, 150);
     camera.height = uniform(random, 1, 40);
     if (!fault(camera).empty()) continue;
@@ -154,11 +150,11 @@ TEST(ConservativeViewport, ParallelRaysKeepTheirPlace) {
     camera.aspect = 2;
     camera.height = 8;
     camera.projection = Projection::orthographic;
-    camera.target = some(random);
-    camera.up = camera.target + std::ldexp(1.0, -static_cast<int>(random() % 28)) * some(random);
+    camera.target = random_point(random);
+    camera.up = camera.target + std::ldexp(1.0, -static_cast<int>(random() % 28)) * random_point(random);
     if (!fault(camera).empty()) continue;
     const ConservativeViewport picture(FrameView(camera, kDepth), {160, 96, 16}, 0);
-    const glm::dvec3 near = some(random), far = near + 0x1p8 * camera.axes().forward;
+    const glm::dvec3 near = random_point(random), far = near + 0x1p8 * camera.axes().forward;
     const BoundedPosition a = picture.corner(picture.eye_point(near)), b = picture.corner(picture.eye_point(far));
     EXPECT_NEAR(a.place.x, b.place.x, a.error + b.error) << i;
     EXPECT_NEAR(a.place.y, b.place.y, a.error + b.error) << i;

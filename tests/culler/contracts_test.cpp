@@ -3,11 +3,9 @@
 // never made, boxes far away, and other rounding modes.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "camera/frame_view.h"
 #include "camera/shadow_margin.h"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <glm/vec3.hpp>
 
 #include "cover/conservative_viewport.h"

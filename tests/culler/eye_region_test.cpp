@@ -27,10 +27,6 @@ using glm::dvec3;
 
 std::uint32_t some_seed(std::mt19937& random) { return static_cast<std::uint32_t>(random()); }
 
-Culler culler_of(const PolygonSoup& soup) { return Culler(soup, {.hierarchy = {.leaf_size = 2}, .lists = {.regions = 8}}); }
-
-dvec3 some_vector(std::mt19937& random) { return {uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)}; }
-
 /// A ball, a box, a rectangle, or the way ahead.
 EyeRegion some_region(std::mt19937& random, const Camera& camera) {
   const double size = std::exp(uniform(random, std::log(0.01), std::log(3)));
@@ -38,9 +34,10 @@ EyeRegion some_region(std::mt19937& random, const Camera& camera) {
     case 0:
       return EyeRegion::ball(size);
     case 1:
-      return EyeRegion::box(size * some_vector(random), 0.5 * size * some_vector(random), 0.3 * size * some_vector(random));
+      return EyeRegion::box(size * random_point(random), 0.5 * size * random_point(random),
+                            0.3 * size * random_point(random));
     case 2:
-      return EyeRegion::box(size * some_vector(random), size * some_vector(random));
+      return EyeRegion::box(size * random_point(random), size * random_point(random));
     default:
       return EyeRegion::box(size * camera.axes().forward, 0.05 * camera.axes().right);
   }
@@ -49,7 +46,7 @@ EyeRegion some_region(std::mt19937& random, const Camera& camera) {
 /// An eye of the region: at a corner or on the sphere, on an edge, or anywhere.
 dvec3 some_eye(std::mt19937& random, const EyeRegion& eyes) {
   if (eyes.radius > 0) {
-    const dvec3 direction = glm::normalize(some_vector(random));
+    const dvec3 direction = glm::normalize(random_point(random));
     return direction * eyes.radius * (random() % 2 == 0 ? 1 - 1e-9 : uniform(random, 0, 1));
   }
   dvec3 eye(0);
@@ -77,7 +74,7 @@ TEST_P(EyeRegionTest, NothingThatAnyEyeSeesIsCulled) {
     camera.near_plane = std::array{0.01, 0.1, 1.0, 4.0}[random() % 4];
     camera.eyes = some_region(random, camera);
     ASSERT_EQ(fault(camera), "");
-    const Culler culler = culler_of(soup);
+    const Culler culler = small_leaves(soup);
     CullOptions options{.method = Method::frusta};
     options.method = GetParam();
     const CullResult frame = culler.cull(camera, options);
@@ -107,7 +104,7 @@ TEST(EyeRegion, OfNoExtentCullsAsItsPoint) {
   std::mt19937 random(seed_of(5));
   std::size_t of_points = 0, of_regions = 0;
   for (int i = 0; i < 40; ++i) {
-    const Culler culler = culler_of(random_town_of_houses(some_seed(random), 400));
+    const Culler culler = small_leaves(random_town_of_houses(some_seed(random), 400));
     Camera camera = random_camera(random);
     camera.projection = Projection::perspective;
     CullOptions options{.method = Method::frusta};
@@ -121,7 +118,7 @@ TEST(EyeRegion, OfNoExtentCullsAsItsPoint) {
 
 /// A larger region draws more: more is in view, and less is hidden.
 TEST(EyeRegion, LargerOnesDrawMore) {
-  const Culler culler = culler_of(random_town_of_houses(3, 2000));
+  const Culler culler = small_leaves(random_town_of_houses(3, 2000));
   CullOptions options{.method = Method::frusta};
   options.method = Method::cover;
   std::mt19937 random(seed_of(7));
@@ -149,7 +146,7 @@ TEST(EyeRegion, CullsTheSameOfAnySize) {
     camera.projection = Projection::perspective;
     camera.near_plane = 0.1;
     camera.eyes = i % 2 == 0 ? EyeRegion::ball(0.125) : EyeRegion::box({0.125, 0, 0}, {0, 0.25, 0});
-    const Culler culler = culler_of(soup);
+    const Culler culler = small_leaves(soup);
     const CullResult frame = culler.cull(camera, options);
     hidden += frame.stats.shadow_culled_polygons;
     for (const double size : {0x1p-76, 0x1p-60, 0x1p60, 0x1p76}) {
@@ -161,7 +158,7 @@ TEST(EyeRegion, CullsTheSameOfAnySize) {
       of_other.far_plane *= size;
       of_other.eyes.radius *= size;
       for (dvec3& half_edge : of_other.eyes.half_edges) half_edge *= size;
-      const CullResult result = culler_of(other).cull(of_other, options);
+      const CullResult result = small_leaves(other).cull(of_other, options);
       EXPECT_EQ(result.drawn, frame.drawn) << "frame " << i << ", size " << size;
     }
   }

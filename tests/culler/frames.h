@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -92,6 +91,19 @@ inline CullResult look(const Culler& culler, const CullOptions& options = {.meth
   camera.target = {1, 0, 0};
   return culler.cull(camera, options);
 }
+
+/// A culler with few polygons per leaf, and few regions.
+inline Culler small_leaves(const PolygonSoup& soup) {
+  return Culler(soup, {.hierarchy = {.leaf_size = 2}, .lists = {.regions = 8}});
+}
+
+inline BuildConfig small_config(Bounds bounds, RegionKind kind = RegionKind::grid) {
+  return {.hierarchy = {.leaf_size = 4, .bounds = bounds}, .lists = {.kind = kind, .threshold = 0.05, .regions = 48}};
+}
+
+/// Both bounds, each with another kind of regions.
+inline const std::array kSmallConfigs{small_config(Bounds::aabb, RegionKind::tree),
+                                      small_config(Bounds::obb, RegionKind::grid)};
 
 /// A culler with one polygon per leaf, so that each polygon is decided for itself.
 inline Culler one_polygon_leaves(const PolygonSoup& soup) {

@@ -7,11 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -36,10 +34,6 @@ constexpr unsigned kCameras = 2000;
 #else
 constexpr unsigned kCameras = 100000;
 #endif
-
-dvec3 some_vector(std::mt19937& random, double size) {
-  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
-}
 
 /// By how much the eye, relative to the middle, is in a box of three perpendicular half-edges or in a ball.
 Number inside(const EyeRegion& eyes, const Vector& e) {
@@ -92,13 +86,13 @@ Slack slack(const Camera& frame, const Camera& camera, Number depth) {
 
 EyeRegion some_eyes(std::mt19937& random) {
   if (random() % 2 == 0) return EyeRegion::ball(uniform(random, 0.01, 2));
-  const dvec3 a = some_vector(random, 1), b = glm::cross(a, some_vector(random, 1)), c = glm::cross(a, b);
+  const dvec3 a = random_point(random, 1), b = glm::cross(a, random_point(random, 1)), c = glm::cross(a, b);
   const auto length = [&] { return uniform(random, 0.01, 2); };
   return EyeRegion::box(length() * glm::normalize(a), length() * glm::normalize(b), length() * glm::normalize(c));
 }
 
 dvec3 some_eye(std::mt19937& random, const EyeRegion& eyes, double size) {
-  if (eyes.radius > 0) return size * eyes.radius * glm::normalize(some_vector(random, 1));
+  if (eyes.radius > 0) return size * eyes.radius * glm::normalize(random_point(random, 1));
   dvec3 e{0, 0, 0};
   for (const dvec3& h : eyes.half_edges) e += size * (random() % 2 == 0 ? 1.0 : uniform(random, -1, 1)) * h;
   return e;
@@ -112,8 +106,8 @@ Camera some_other(std::mt19937& random, const Camera& frame) {
   const double turn = std::array{0.0, 1e-7, 1e-5, 1e-2, 0.1}[random() % 5];
   const dvec3 sight = frame.target - frame.eye;
   camera.eye += moved;
-  camera.target = camera.eye + sight + some_vector(random, turn);
-  if (random() % 2 == 0) camera.up += some_vector(random, turn);
+  camera.target = camera.eye + sight + random_point(random, turn);
+  if (random() % 2 == 0) camera.up += random_point(random, turn);
   const double least = random() % 2 == 0 ? 0.6 : 0.999;
   camera.fov_y_deg *= random() % 3 == 0 ? 1 : uniform(random, least, 1.001);
   camera.height *= random() % 3 == 0 ? 1 : uniform(random, least, 1.001);
@@ -127,10 +121,10 @@ Camera some_other(std::mt19937& random, const Camera& frame) {
 Camera some_frame(std::mt19937& random) {
   Camera frame = random_camera(random);
   const double away = std::array{0.0, 1e3, 1e6}[random() % 3];
-  const dvec3 moved = some_vector(random, away);
+  const dvec3 moved = random_point(random, away);
   frame.eye += moved;
   frame.target += moved;
-  frame.up = random() % 2 == 0 ? dvec3(0, 0, 1) : some_vector(random, 1);
+  frame.up = random() % 2 == 0 ? dvec3(0, 0, 1) : random_point(random, 1);
   frame.near_plane = uniform(random, 0.01, 1);
   frame.fov_y_deg = uniform(random, 20, 120);
   frame.aspect = uniform(random, 0.3, 3);
@@ -313,7 +307,7 @@ TEST(HoldsFor, MatricesFromOtherEyes) {
     const dvec3 moved = camera.eye() - frame.eye();
     ASSERT_GE(inside(frame.eyes, Vector(moved)), -1e-9L);
     for (int point = 0; point < 20; ++point) {
-      const Vector p(camera.eye() + some_vector(random, std::array{1.0, 10.0, 50.0}[random() % 3]));
+      const Vector p(camera.eye() + random_point(random, std::array{1.0, 10.0, 50.0}[random() % 3]));
       if (!shows(camera, p, 0)) continue;
       // Seen by the frame's camera from some eye: here from those at the corners, and from this one.
       const Vector q = p - Vector(moved);

@@ -15,7 +15,6 @@
 #include "camera/frame_view.h"
 #include "cover/conservative_viewport.h"
 #include "cover/cover_tile.h"
-#include "cover/projected_boxes.h"
 #include "scenes.h"
 #include "seed.h"
 

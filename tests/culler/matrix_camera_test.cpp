@@ -98,10 +98,6 @@ bool shows(const MatrixCamera& camera, const dvec3& p) {
   return true;
 }
 
-dvec3 some_vector(std::mt19937& random, double size = 1) {
-  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
-}
-
 #ifdef OCCLUDE_SANITIZED
 constexpr unsigned kMatrices = 1000;
 #else
@@ -124,7 +120,7 @@ std::array<dvec3, 3> some_turn(std::mt19937& random) {
     return axes;
   }
   for (;;) {
-    const dvec3 a = some_vector(random), b = some_vector(random);
+    const dvec3 a = random_point(random), b = random_point(random);
     if (glm::length(glm::cross(a, b)) < 0.1) continue;
     const dvec3 forward = glm::normalize(a), right = glm::normalize(glm::cross(a, b));
     return {right, glm::cross(right, forward), forward};
@@ -152,7 +148,7 @@ Made some_camera(std::mt19937& random, std::optional<Kind> wanted = std::nullopt
   dvec3 right = turn[0], up = turn[1], forward = turn[2];
   if (random() % 2 == 0) right = -right;  // of either handedness
   const double away = std::array{0.0, 10.0, 10.0, 1e4}[random() % 4];
-  const dvec3 eye = some_vector(random, away);
+  const dvec3 eye = random_point(random, away);
   const double near = uniform(random, 0.05, 2), far = near * uniform(random, 20, 2000);
   const double x = uniform(random, 0.2, 3), y = uniform(random, 0.2, 3);  // half of the picture
   const bool is_off_centre = random() % 2 == 0;
@@ -184,9 +180,9 @@ Made some_camera(std::mt19937& random, std::optional<Kind> wanted = std::nullopt
       rows[2] = is_zero_to_w ? Row{-rows[2].normal, 1 - rows[2].constant} : Row{-rows[2].normal, -rows[2].constant};
     }
   } else if (kind == Kind::oblique) {
-    dvec3 normal = glm::normalize(forward + uniform(random, 0, 1.5) * some_vector(random));
+    dvec3 normal = glm::normalize(forward + uniform(random, 0, 1.5) * random_point(random));
     if (random() % 2 == 0)
-      normal = glm::normalize(up + uniform(random, -0.2, 0.2) * some_vector(random));  // a mirror of water
+      normal = glm::normalize(up + uniform(random, -0.2, 0.2) * random_point(random));  // a mirror of water
     const double at_corner = glm::dot(normal, far * forward + far * x * right + far * y * up) - near;
     const double scale = (is_zero_to_w ? 1 : 2) * far / std::max(std::fabs(at_corner), 0.1 * far);
     rows[2] = {scale * normal, -scale * near};
@@ -258,10 +254,10 @@ std::vector<dvec3> shown_points(std::mt19937& random, const Made& made, std::siz
   std::vector<dvec3> points;
   for (int tries = 0; points.size() < count && tries < 60; ++tries) {
     const double distance = made.near * std::exp(uniform(random, 0, std::log(made.far / made.near)));
-    const dvec3 point = made.place(uniform(random, -1, 1), uniform(random, -1, 1), distance) + some_vector(random, 1e-6);
+    const dvec3 point = made.place(uniform(random, -1, 1), uniform(random, -1, 1), distance) + random_point(random, 1e-6);
     if (!shows(made.camera, point)) continue;
     points.push_back(point);
-    const dvec3 beside = point + some_vector(random, 8 * distance);
+    const dvec3 beside = point + random_point(random, 8 * distance);
     if (!shows(made.camera, beside)) points.push_back(touching(made.camera, point, beside));
   }
   return points;
@@ -333,7 +329,7 @@ TEST(MatrixCamera, SidesHoldNextToAnEyeThatIsFarAway) {
     std::vector<HalfSpace> planes;
     append_view_frustum(camera, kDepth, planes);
     const auto is_in = [&](const dvec3& p) { return side(camera, row, sign, 1, p) >= 0; };
-    const dvec3 a = eye + some_vector(random, kDepth / 3), b = eye + some_vector(random, kDepth / 3);
+    const dvec3 a = eye + random_point(random, kDepth / 3), b = eye + random_point(random, kDepth / 3);
     if (is_in(a) == is_in(b)) continue;
     ++asked;
     ASSERT_TRUE(keeps(planes.at(static_cast<std::size_t>(2 * row + (sign > 0 ? 0 : 1))),
@@ -408,7 +404,7 @@ struct Stage {
   }
   void add_point(std::mt19937& random, const dvec3& point, double size) {
     if (kernel::check(to_kernel(point)) != kernel::Refusal::none) return;
-    const std::array<dvec3, 3> corners{point, point + some_vector(random, size), point + some_vector(random, size)};
+    const std::array<dvec3, 3> corners{point, point + random_point(random, size), point + random_point(random, size)};
     add(soup, {corners[0], corners[1], corners[2]});
     triangles.push_back(corners);
     points.push_back(point);
@@ -541,8 +537,8 @@ TEST(MatrixCamera, NothingShownInSinglePrecisionIsBeyondAHalfSpace) {
     append_view_frustum(made.camera, depth, planes);
     // A view whose model reaches less far is asked about the points.
     PolygonSoup soup;
-    const dvec3 middle = made.place(0.1, 0.1, 2 * made.near) + some_vector(random, 1e-3);
-    add(soup, {middle, middle + some_vector(random, 0.1), middle + some_vector(random, 0.1)});
+    const dvec3 middle = made.place(0.1, 0.1, 2 * made.near) + random_point(random, 1e-3);
+    add(soup, {middle, middle + random_point(random, 0.1), middle + random_point(random, 0.1)});
     View view;
     Culler(soup, {.lists = {.regions = 1}}).cull(made.camera, {}, view);
     for (const dvec3& p : points) {
@@ -565,7 +561,7 @@ TEST(MatrixCamera, NothingShownOfASmallModelIsBeyondTheNearPlaneOfParallelRays) 
         random, std::array{Kind::parallel, Kind::parallel_reversed, Kind::sheared}[static_cast<std::size_t>(i % 3)]);
     const double range = made.far - made.near;
     const dvec3 eye = made.camera.eye(), inwards = made.place(0, 0, 1) - made.place(0, 0, 0);
-    const dvec3 near_eye = eye + some_vector(random, 1e-4 * range);
+    const dvec3 near_eye = eye + random_point(random, 1e-4 * range);
     const auto is_shown = [&](const dvec3& p) { return shows(made.camera, p); };
     const dvec3 border = last_in(is_shown, near_eye + 1e-3 * range * inwards, near_eye - 1e-3 * range * inwards);
     const dvec3 p = border - uniform(random, 0, 1e-7) * range * inwards;
@@ -609,7 +605,7 @@ TEST(MatrixCamera, KnowsHowMuchRaysAreTurnedThatAreNearlyParallel) {
   for (int i = 0; i < 4000; ++i) {
     const auto [right, up, forward] = some_turn(random);
     const double size = std::ldexp(1, 72 + static_cast<int>(random() % 20));
-    const dvec3 w = 0.99 * 0x1p-106 * some_vector(random);
+    const dvec3 w = 0.99 * 0x1p-106 * random_point(random);
     std::array<double, 16> numbers{};
     const auto set = [&](std::size_t row, const dvec3& normal, double constant) {
       for (std::size_t k = 0; k < 3; ++k) numbers[4 * row + k] = normal[static_cast<int>(k)];
@@ -629,7 +625,7 @@ TEST(MatrixCamera, KnowsHowMuchRaysAreTurnedThatAreNearlyParallel) {
       const auto at = [&](int column) { return Sight::Real{camera.matrix[column][row]}; };
       return at(0) * p.x + at(1) * p.y + at(2) * p.z + at(3);
     };
-    const dvec3 point = some_vector(random, size / 3), eye = camera.eyes.radius * glm::normalize(some_vector(random));
+    const dvec3 point = random_point(random, size / 3), eye = camera.eyes.radius * glm::normalize(random_point(random));
     const Vector p = Vector(point) - Vector(eye), n(w);
     const Vector ray = glm::normalize(glm::cross(Vector(right / size) * value(3, p) - value(0, p) * n,
                                                  Vector(up / size) * value(3, p) - value(1, p) * n)),
@@ -676,7 +672,7 @@ TEST(MatrixCamera, ShadowsHoldForWhereverTheEyeMayBe) {
     if (!shadow || !is_in(*shadow)) continue;
     bool is_in_all = true;
     for (int e = 0; e < 24; ++e) {
-      const auto other = shadow_from(0.999 * kOff * glm::normalize(some_vector(random)));
+      const auto other = shadow_from(0.999 * kOff * glm::normalize(random_point(random)));
       ASSERT_TRUE(other);
       is_in_all = is_in_all && is_in(*other);
     }
@@ -726,7 +722,7 @@ TEST(MatrixCamera, NothingVisibleFromAnyOfItsEyesIsCulled) {
     const Sight middle(made.camera, is_parallel(made.kind));
     for (int e = 0; e < 16; ++e) {
       // Less than the radius by more than the matrix of the other eye is rounded by.
-      const dvec3 off = (1 - 1e-6) * radius * glm::normalize(some_vector(random));
+      const dvec3 off = (1 - 1e-6) * radius * glm::normalize(random_point(random));
       const MatrixCamera other = moved_by(made.camera, off);
       const Sight sight(other, is_parallel(made.kind));
       for (std::size_t p = 0; p < stage.points.size(); ++p) {

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
-#include <vector>
 
 #include "occlude/culler/hierarchy.h"
 #include "scenes.h"

@@ -16,7 +16,6 @@
 
 #include "model/bounds.h"
 #include "model/outer_box.h"
-#include "occlude/kernel/half_space.h"
 #include "occlude/kernel/validity.h"
 #include "scenes.h"
 

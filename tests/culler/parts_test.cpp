@@ -5,21 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <set>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "cover/cover_triangles.h"
+#include "cover/cover_mesh.h"
 #include "forged_parts.h"
 #include "frame/culler_access.h"
 #include "frames.h"
@@ -35,13 +32,6 @@ namespace kernel = occlude::kernel;
 
 using U32 = std::uint32_t;
 using U64 = std::uint64_t;
-
-BuildConfig small_config(Bounds bounds, RegionKind kind = RegionKind::grid) {
-  return {.hierarchy = {.leaf_size = 4, .bounds = bounds}, .lists = {.kind = kind, .threshold = 0.05, .regions = 48}};
-}
-
-/// Both bounds, each with another kind of regions.
-const std::array kConfigs{small_config(Bounds::aabb, RegionKind::tree), small_config(Bounds::obb, RegionKind::grid)};
 
 bool are_same(const CullResult& a, const CullResult& b) {
   const auto same_cull = [](const Culled& x, const Culled& y) {
@@ -69,7 +59,7 @@ Culler sampled(const PolygonSoup& soup, const BuildConfig& config) { return prep
 /// Frame by frame, by both methods, the culler of parts culls as the one that the parts are of.
 TEST(Parts, GiveTheSameCuller) {
   const PolygonSoup soup = varied_town(1000);
-  for (const BuildConfig& config : kConfigs) {
+  for (const BuildConfig& config : kSmallConfigs) {
     const Culler fresh = sampled(soup, config);
     const Culler prepared = ForgedParts(fresh).culler();
     EXPECT_EQ(prepared.hierarchy().oriented(), fresh.hierarchy().oriented());
@@ -121,8 +111,8 @@ TEST(Parts, AreUsedWhereTheyLie) {
 /// A culler of parts has the parts that it was made of, and two cullers of one model have the same.
 TEST(Parts, AreTheSameBytes) {
   const PolygonSoup soup = varied_town(300);
-  const ForgedParts first(sampled(soup, kConfigs[0]));
-  ForgedParts other(sampled(soup, kConfigs[0])), again(first.culler());
+  const ForgedParts first(sampled(soup, kSmallConfigs[0]));
+  ForgedParts other(sampled(soup, kSmallConfigs[0])), again(first.culler());
   ASSERT_EQ(other.names(), first.names());
   ASSERT_EQ(again.names(), first.names());
   for (const std::string& name : first.names()) {
@@ -134,7 +124,7 @@ TEST(Parts, AreTheSameBytes) {
 
 /// What frames by one method need may be left out.
 TEST(Parts, OfAMethodMayBeLeftOut) {
-  const Culler fresh(varied_town(300), kConfigs[0]);
+  const Culler fresh(varied_town(300), kSmallConfigs[0]);
   ForgedParts bare(fresh);
   const std::vector<std::string> names = bare.names();
   std::size_t left_out = 0;
@@ -174,7 +164,7 @@ class ForgedPart : public testing::Test {
   }
 
   PolygonSoup soup_ = varied_town(300);
-  Culler culler_ = sampled(soup_, kConfigs[0]);
+  Culler culler_ = sampled(soup_, kSmallConfigs[0]);
   ForgedParts sound_{culler_};
   U32 polygons_ = static_cast<U32>(soup_.size()), vertices_ = static_cast<U32>(soup_.vertices.size());
 };
@@ -313,7 +303,7 @@ std::vector<Partition::Cell> chain_of_cells(U32 levels, bool is_lower_region) {
 }
 
 TEST(Parts, RefuseCellsDeeperThanAStack) {
-  const Culler sound(varied_town(100), kConfigs[0]);
+  const Culler sound(varied_town(100), kSmallConfigs[0]);
   for (const bool is_lower_region : {false, true}) {
     const auto with_levels = [&](U32 levels) {
       ForgedParts forged(sound);
@@ -354,7 +344,7 @@ TEST(Parts, AskForNoMoreListsThanTheyCouldHold) {
 }
 
 TEST_F(ForgedPart, OfOrientedBoxes) {
-  const ForgedParts sound(Culler(soup_, kConfigs[1]));
+  const ForgedParts sound(Culler(soup_, kSmallConfigs[1]));
   const auto boxes = static_cast<U32>(sound.get<kernel::Obb>("oriented boxes").size());
   ForgedParts forged = sound;
   forged.edit<U32>("oriented", [&](auto& oriented) { oriented[3] = boxes; });
@@ -609,7 +599,7 @@ TEST(Parts, RefuseATriangleWithTwoVerticesInOnePlace) {
   for (std::size_t i = 0; i < 3; ++i) {
     PolygonSoup soup = varied_town(20);
     add(soup, loops[i]);
-    ForgedParts forged{Culler(soup, kConfigs[0])};
+    ForgedParts forged{Culler(soup, kSmallConfigs[0])};
     auto corners = forged.get<CoverMesh::Triangle>("cover corners");
     const auto t = static_cast<std::size_t>(
         std::ranges::find_if(corners, [&](const auto& c) { return c[i] == c[(i + 1) % 3]; }) - corners.begin());
@@ -629,7 +619,7 @@ TEST(Parts, RefuseATriangleWithTwoVerticesInOnePlace) {
 /// Whatever bytes change, the parts are refused, or what they cull by frusta is in a shadow.
 TEST(Parts, OfAnyBytesCullRightOrAreRefused) {
   const PolygonSoup soup = varied_town(120);
-  const Culler culler = sampled(soup, kConfigs[0]);
+  const Culler culler = sampled(soup, kSmallConfigs[0]);
   const ForgedParts sound(culler);
   constexpr std::uint32_t kSeed = 5;
   std::mt19937 random(kSeed);

@@ -92,8 +92,7 @@ TEST(PotentialOccluders, TheShadowOfAContainerHoldsThatOfItsParts) {
       const auto part = shadow(i, from).frustum, whole = shadow(container, from).frustum;
       if (!part || !whole) continue;
       for (int k = 0; k < 20; ++k) {
-        const glm::dvec3 v = eye + uniform(random, 1, 4) * (occluders[i].centre - eye) +
-                             glm::dvec3{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+        const glm::dvec3 v = eye + uniform(random, 1, 4) * (occluders[i].centre - eye) + random_point(random);
         const kernel::Aabb point{{v.x, v.y, v.z}, {v.x, v.y, v.z}};
         ++asked;
         if (kernel::overlap_certified(*part, point, kernel::NearBoundary::open).relation != kernel::Relation::inside)
@@ -130,7 +129,7 @@ TEST(AreaAngle, OfARoundShellIsAboutItsSolidAngle) {
   double mean = 0;
   for (int i = 0; i < 1000; ++i) {
     glm::dvec3 way;
-    do way = {uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+    do way = random_point(random);
     while (glm::length(way) > 1 || glm::length(way) < 0.1);
     camera.eye = 20.0 * glm::normalize(way);
     const double exact = seen_size(occluders, shell, FrameView(camera, 0), Objective::Angle::exact);

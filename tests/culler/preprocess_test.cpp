@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -22,17 +21,10 @@ namespace preprocess_test {
 
 using namespace occlude::culler;
 
-BuildConfig small_config(Bounds bounds, RegionKind kind = RegionKind::grid) {
-  return {.hierarchy = {.leaf_size = 4, .bounds = bounds}, .lists = {.kind = kind, .threshold = 0.05, .regions = 48}};
-}
-
 std::vector<float> hidden_of(const Culler& culler) {
   const auto& hidden = occluders_of(culler).lists().stored().hidden;
   return {hidden.begin(), hidden.end()};
 }
-
-/// Both bounds, each with another kind of regions.
-const std::array kConfigs{small_config(Bounds::aabb, RegionKind::tree), small_config(Bounds::obb, RegionKind::grid)};
 
 /// A pavement that looks large and hides nothing, a wall that hides a hundred polygons, and a wall behind it.
 PolygonSoup pavement_and_walls() {
@@ -155,7 +147,7 @@ TEST(Preprocess, RefusesWhatIsNoModel) {
 /// Whatever the lists and the samples say, every cull is right.
 TEST(Preprocess, HeuristicsOfAnyKindKeepThePicture) {
   const PolygonSoup soup = random_town_of_houses(10, 600);
-  for (const BuildConfig& config : kConfigs) {
+  for (const BuildConfig& config : kSmallConfigs) {
     ForgedParts forged(preprocess(soup, config, {.viewpoints = 1}));
     std::mt19937 random(3);
     forged.edit<float>("hidden", [&](std::vector<float>& hidden) { std::ranges::shuffle(hidden, random); });

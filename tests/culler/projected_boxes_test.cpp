@@ -59,6 +59,18 @@ Real expect_held(const ConservativeViewport& picture, const ProjectedBoxes& boxe
   return std::max(low_x - boxes.low_x[k], boxes.high_x[k] - high_x);
 }
 
+/// Expects of each point that is not nearer than the picture shows that it is held. Returns how many there are.
+std::size_t expect_held_all(const ConservativeViewport& picture, const ProjectedBoxes& batch,
+                            const std::array<glm::dvec3, ProjectedBoxes::kMost>& points) {
+  std::size_t known = 0;
+  for (std::size_t k = 0; k < batch.size; ++k) {
+    if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;
+    ++known;
+    expect_held(picture, batch, k, std::array{exact(picture, points[k])});
+  }
+  return known;
+}
+
 class SeenBoxesTest : public testing::TestWithParam<Projection> {
  protected:
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
@@ -144,11 +156,7 @@ TEST_P(SeenBoxesTest, HoldPointsInPicturesOfAnyWidth) {
       batch.add(boxes, {to_kernel(at), to_kernel(at)});
     }
     batch.project(boxes);
-    for (std::size_t k = 0; k < batch.size; ++k) {
-      if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;
-      ++known;
-      expect_held(picture, batch, k, std::array{exact(picture, asked[k])});
-    }
+    known += expect_held_all(picture, batch, asked);
   }
   EXPECT_GT(known, 300000U);
 }
@@ -178,11 +186,7 @@ TEST(ProjectedBoxes, HoldPointsThatUnderflow) {
       batch.add(boxes, {to_kernel(at), to_kernel(at)});
     }
     batch.project(boxes);
-    for (std::size_t k = 0; k < batch.size; ++k) {
-      if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;
-      ++known;
-      expect_held(picture, batch, k, std::array{exact(picture, asked[k])});
-    }
+    known += expect_held_all(picture, batch, asked);
   }
   EXPECT_GT(known, 5000U);
 }

@@ -30,6 +30,11 @@ inline kernel::Vec3 random_vector(std::mt19937& random, double low, double high)
   return {x, y, uniform(random, low, high)};
 }
 
+/// Each coordinate from -size to size.
+inline glm::dvec3 random_point(std::mt19937& random, double size = 1) {
+  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
+}
+
 /// The rectangle at this x, from (y0, z0) to (y1, z1).
 inline void add_wall(PolygonSoup& soup, double x, double y0, double y1, double z0, double z1) {
   add(soup, {{x, y0, z0}, {x, y1, z0}, {x, y1, z1}, {x, y0, z1}});

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace occlude::fuzz {
 namespace campaign_test {
 

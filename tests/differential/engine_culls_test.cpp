@@ -6,14 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <memory>
 #include <random>
 #include <set>
-#include <string>
-#include <variant>
 #include <vector>
 
 #include "cases/to_oracle.h"
@@ -43,15 +39,13 @@ constexpr int kFrames = 8;
 
 CullOptions options_of(Method method) { return {.method = method, .cover = {.width = 256, .height = 144}}; }
 
-Culler culler_of(const PolygonSoup& soup) { return Culler(soup, {.hierarchy = {.leaf_size = 2}, .lists = {.regions = 8}}); }
-
 std::size_t hidden_by(const CullResult& frame) { return frame.stats.shadow_culled_polygons; }
 
 TEST(CullsByMatrix, AreProvedByTheOracle) {
   std::mt19937 random(seed_of(1));
   std::array<std::size_t, 3> hidden{};
   for (int i = 0; i < kFrames; ++i) {
-    const Culler culler = culler_of(random_town_of_houses(static_cast<std::uint32_t>(random()), 300));
+    const Culler culler = small_leaves(random_town_of_houses(static_cast<std::uint32_t>(random()), 300));
     MatrixCamera matrix = matrix_of(random_camera(random));
     ASSERT_EQ(fault(matrix), "");
     const auto judge = [&](const CullOptions& options, std::size_t way) {
@@ -70,7 +64,7 @@ TEST(CullsByMatrix, AreProvedByTheOracle) {
 
 /// What is claimed of one eye is not proved of another, nor what is claimed of one eye of several.
 TEST(CullsByMatrix, AreNotProvedOfAnotherMatrix) {
-  const Culler culler = culler_of(random_town_of_houses(3, 300));
+  const Culler culler = small_leaves(random_town_of_houses(3, 300));
   std::mt19937 random(3);
   std::size_t refused = 0, refused_of_several = 0;
   for (int i = 0; i < kFrames; ++i) {
@@ -101,7 +95,7 @@ TEST(CullsByMatrix, AreProvedFromTheExactEye) {
   std::array<std::size_t, 2> proved{};
   int inexact = 0;
   for (int i = 0; i < 2 * kFrames; ++i) {
-    const Culler culler = culler_of(random_town_of_houses(static_cast<std::uint32_t>(random()), 300));
+    const Culler culler = small_leaves(random_town_of_houses(static_cast<std::uint32_t>(random()), 300));
     const dvec3 eye(some(45), some(45), shortened(uniform(random, 0.5, 4)));
     const double turn = uniform(random, 0, 6);
     const dvec3 forward(shortened(std::cos(turn)), shortened(std::sin(turn)), some(0.2));

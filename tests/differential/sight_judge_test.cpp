@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <variant>
 #include <vector>
 
 #include "culler/scenes.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "bench.h"
 
 namespace median_test {

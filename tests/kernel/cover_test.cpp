@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
-#include <string>
 #include <utility>
 #include <variant>
 #include <vector>

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -19,6 +17,7 @@
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/overlap.h"
+#include "seed.h"
 
 namespace metamorphic_test {
 
@@ -166,8 +165,7 @@ class Metamorphic : public testing::TestWithParam<fuzz::Family> {
   /// Calls `examine(case, seed)` for legal cases of the family.
   template <class Examine>
   void for_each_case(const Examine& examine) {
-    const char* const requested = std::getenv("OCCLUDE_SEED");
-    const std::uint64_t base = requested ? std::stoull(requested) : 1;
+    const std::uint64_t base = occlude::seed_of(1);
     constexpr std::uint64_t kCases = 100;
     for (std::uint64_t seed = base * kCases; seed < (base + 1) * kCases; ++seed) {
       SCOPED_TRACE("family " + std::string(fuzz::name(GetParam())) + ", seed " + std::to_string(seed));

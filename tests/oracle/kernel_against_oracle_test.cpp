@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <string>
 
 #include "cases/ask.h"
 #include "cases/to_oracle.h"
 #include "occlude/fuzz/cases.h"
+#include "seed.h"
 
 namespace kernel_against_oracle_test {
 
@@ -22,8 +22,7 @@ oracle::Answer exact_answer(const fuzz::Case& c, const kernel::ShadowFrustumResu
 class Family : public testing::TestWithParam<fuzz::Family> {};
 
 TEST_P(Family, CertifiedEqualsOracle) {
-  const char* const requested = std::getenv("OCCLUDE_SEED");
-  const std::uint64_t base = requested ? std::stoull(requested) : 1;
+  const std::uint64_t base = occlude::seed_of(1);
   constexpr std::uint64_t kCases = 1000;
   std::array<std::size_t, 3> answers{};
   std::array<std::size_t, 2> stages{};

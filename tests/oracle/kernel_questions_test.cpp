@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +20,7 @@
 #include "occlude/kernel/view_cone.h"
 #include "occlude/kernel/view_frustum.h"
 #include "occlude/oracle/questions.h"
+#include "seed.h"
 #include "stored_frustum.h"
 
 namespace occlude::oracle {
@@ -36,8 +36,7 @@ class QuestionsOfFamily : public testing::TestWithParam<fuzz::Family> {
  protected:
   template <class Check>
   void for_each_case(const Check& check) {
-    const char* const requested = std::getenv("OCCLUDE_SEED");
-    const std::uint64_t base = requested ? std::stoull(requested) : 1;
+    const std::uint64_t base = occlude::seed_of(1);
     constexpr std::uint64_t kCases = 200;
     for (std::uint64_t i = 0; i < kCases; ++i) {
       const std::uint64_t seed = base * kCases + i;

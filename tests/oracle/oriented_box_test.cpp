@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <string>
 #include <utility>
 
 #include "occlude/fuzz/cases.h"

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/fuzz/random.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/oracle/second.h"
 #include "oracle/cuboid.h"

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
 #include "cases/ask.h"
 #include "cases/to_oracle.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/oracle/oracle.h"
+#include "seed.h"
 
 namespace occlude::oracle {
 namespace second_test {
@@ -20,8 +20,7 @@ using fuzz::to_oracle;
 class SecondOfFamily : public testing::TestWithParam<fuzz::Family> {};
 
 TEST_P(SecondOfFamily, AgreesWithTheFirst) {
-  const char* const requested = std::getenv("OCCLUDE_SEED");
-  const std::uint64_t base = requested ? std::stoull(requested) : 1;
+  const std::uint64_t base = occlude::seed_of(1);
   constexpr std::uint64_t kCases = 200;
   std::size_t answered = 0;
   for (std::uint64_t i = 0; i < kCases; ++i) {

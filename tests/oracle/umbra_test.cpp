@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <vector>
 
 #include "occlude/fuzz/random.h"
 #include "occlude/oracle/region.h"

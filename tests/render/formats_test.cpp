@@ -16,7 +16,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>

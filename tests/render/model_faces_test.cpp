@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "occlude/render/errors.h"

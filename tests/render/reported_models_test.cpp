@@ -2,10 +2,8 @@
 // Models that people reported as refused for nothing, or as read wrongly; and what all readers agree on about such.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <limits>

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <random>
-#include <utility>
 
 #include "occlude/culler/polygon_soup.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Held culls of the C interface.
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <utility>

@@ -2,7 +2,6 @@
 // Ids of the C interface, which are the numbers of those of C++.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>

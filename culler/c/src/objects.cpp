@@ -2,7 +2,6 @@
 // Scenes of the C interface, and their objects.
 #include <algorithm>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 

@@ -2,7 +2,6 @@
 // Structs that begin with their size, of this version or an older one.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <stdexcept>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Faces of any shape.
-#include <array>
 #include <cstdint>
 #include <numeric>
 #include <stdexcept>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "numbers.h"
 
-#include <array>
 #include <limits>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -5,7 +5,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>

@@ -79,6 +79,21 @@ void remove_all(SharedScene& scene, const py::object& numbers) {
   scene.change([&](culler::Scene& s) { s.remove(ids); });
 }
 
+template <class Id>
+void enable_all(SharedScene& scene, const py::object& numbers, bool is_enabled) {
+  for_each_id<Id>(scene, numbers, [&](culler::Scene& s, const Id& id) { s.set_enabled(id, is_enabled); });
+}
+
+template <class Id>
+void mask_all(SharedScene& scene, const py::object& numbers, std::uint32_t mask) {
+  for_each_id<Id>(scene, numbers, [&](culler::Scene& s, const Id& id) { s.set_mask(id, mask); });
+}
+
+template <class Id>
+bool has(const SharedScene& scene, std::uint64_t number) {
+  return scene.look([&](const culler::Scene& s) { return s.contains(Id::from_number(number)); });
+}
+
 /// Whether the last two axes are matrices of 3 or 4 rows and 4 columns.
 bool are_placements(const Doubles& m, py::ssize_t axes) {
   return m.ndim() == axes && (m.shape(axes - 2) == 3 || m.shape(axes - 2) == 4) && m.shape(axes - 1) == 4;
@@ -293,24 +308,10 @@ void define_objects(Class& scene) {
           "Adds an object for each box; an array of their ids.")
       .def("move_objects", &move_objects, "ids"_a, "boxes"_a, "A box for each.")
       .def("remove_objects", &remove_all<ObjectId>, "ids"_a, "All of them, or raises and removes none.")
-      .def(
-          "enable_objects",
-          [](SharedScene& s, const py::object& ids, bool is_enabled) {
-            for_each_id<ObjectId>(s, ids, [&](culler::Scene& in, const ObjectId& id) { in.set_enabled(id, is_enabled); });
-          },
-          "ids"_a, "is_enabled"_a, "Those that are not are in no frame.")
-      .def(
-          "mask_objects",
-          [](SharedScene& s, const py::object& ids, std::uint32_t mask) {
-            for_each_id<ObjectId>(s, ids, [&](culler::Scene& in, const ObjectId& id) { in.set_mask(id, mask); });
-          },
-          "ids"_a, "mask"_a, "Gives them these layers: frames have those whose mask has a bit in common with theirs.")
-      .def(
-          "has_object",
-          [](const SharedScene& s, std::uint64_t id) {
-            return s.look([&](const culler::Scene& in) { return in.contains(ObjectId::from_number(id)); });
-          },
-          "id"_a, "Whether the id is that of an object of this scene.");
+      .def("enable_objects", &enable_all<ObjectId>, "ids"_a, "is_enabled"_a, "Those that are not are in no frame.")
+      .def("mask_objects", &mask_all<ObjectId>, "ids"_a, "mask"_a,
+           "Gives them these layers: frames have those whose mask has a bit in common with theirs.")
+      .def("has_object", &has<ObjectId>, "id"_a, "Whether the id is that of an object of this scene.");
 }
 
 void define_occluders(Class& scene) {
@@ -354,25 +355,9 @@ void define_occluders(Class& scene) {
           "id"_a, "mesh"_a.none(false), "Gives it another mesh.")
       .def("move_occluders", &move_occluders, "ids"_a, "placements"_a, "A matrix for each.")
       .def("remove_occluders", &remove_all<OccluderId>, "ids"_a, "As remove_objects().")
-      .def(
-          "enable_occluders",
-          [](SharedScene& s, const py::object& ids, bool is_enabled) {
-            for_each_id<OccluderId>(s, ids,
-                                    [&](culler::Scene& in, const OccluderId& id) { in.set_enabled(id, is_enabled); });
-          },
-          "ids"_a, "is_enabled"_a, "Those that are not hide nothing.")
-      .def(
-          "mask_occluders",
-          [](SharedScene& s, const py::object& ids, std::uint32_t mask) {
-            for_each_id<OccluderId>(s, ids, [&](culler::Scene& in, const OccluderId& id) { in.set_mask(id, mask); });
-          },
-          "ids"_a, "mask"_a, "As mask_objects().")
-      .def(
-          "has_occluder",
-          [](const SharedScene& s, std::uint64_t id) {
-            return s.look([&](const culler::Scene& in) { return in.contains(OccluderId::from_number(id)); });
-          },
-          "id"_a, "Whether the id is that of an occluder of this scene.");
+      .def("enable_occluders", &enable_all<OccluderId>, "ids"_a, "is_enabled"_a, "Those that are not hide nothing.")
+      .def("mask_occluders", &mask_all<OccluderId>, "ids"_a, "mask"_a, "As mask_objects().")
+      .def("has_occluder", &has<OccluderId>, "id"_a, "Whether the id is that of an occluder of this scene.");
 }
 
 template <class Camera>

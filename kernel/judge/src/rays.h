@@ -11,9 +11,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <span>
 
 #include "big_integer.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/kernel/view_cone.h"
 
-#include <utility>
-
 #include "cone_sweep.h"
 #include "plane_coefficients.h"
 #include "polytope_cap.h"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <span>
 #include <stdexcept>
 

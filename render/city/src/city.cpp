@@ -9,7 +9,6 @@
 
 #include "builder.h"
 #include "parts.h"
-#include "plan.h"
 #include "route.h"
 #include "terrain.h"
 

@@ -2,9 +2,7 @@
 #include "route.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdlib>
 
 #include "plan.h"
 

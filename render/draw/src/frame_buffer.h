@@ -2,8 +2,6 @@
 // The picture, item buffer and depth buffer that SceneRenderer draws into.
 #pragma once
 
-#include <cstdint>
-
 #include "gl_object.h"
 #include "occlude/render/image.h"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <stdexcept>
 
 #include "corner_buffer.h"
 #include "frame_buffer.h"

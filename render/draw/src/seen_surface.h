@@ -2,12 +2,10 @@
 // What is seen at each pixel: which polygon, and where it is there.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
-#include <vector>
 
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/render/image.h"

@@ -11,7 +11,6 @@
 #include <new>
 #include <string>
 #include <system_error>
-#include <utility>
 
 #include "assimp_convention.h"
 #include "extension.h"

@@ -2,7 +2,6 @@
 // The cameras of a file, and how the one that is asked for moves.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <glm/mat4x4.hpp>
 #include <limits>

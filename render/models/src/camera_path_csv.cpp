@@ -2,7 +2,6 @@
 // Camera paths as tables of matrices.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,21 +12,10 @@
 #include "occlude/render/line_reader.h"
 #include "path_readers.h"
 #include "text_number.h"
+#include "words.h"
 
 namespace occlude::render {
 namespace {
-
-/// What stands between commas, semicolons and blanks.
-std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view kBetween = ",; \t\r";
-  std::vector<std::string_view> words;
-  for (std::size_t at = line.find_first_not_of(kBetween); at != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(kBetween, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = line.find_first_not_of(kBetween, end);
-  }
-  return words;
-}
 
 MatrixNumbers matrix_of(const std::vector<std::string_view>& words, const std::string& place) {
   MatrixNumbers matrix{{}, place};
@@ -47,7 +35,7 @@ CameraPath read_csv_path(const std::filesystem::path& file, const PathDefaults& 
   LineReader lines(file.string());
   bool is_first = true;
   for (std::string line; lines.next(line);) {
-    const std::vector<std::string_view> words = words_of(line);
+    const std::vector<std::string_view> words = words_of(line, ",; \t\r");
     if (words.empty() || words.front().starts_with('#')) continue;
     const bool is_heading = is_first && !parse_number<double>(words.front());
     is_first = false;

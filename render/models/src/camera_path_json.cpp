@@ -2,7 +2,6 @@
 // Camera paths as JSON files.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>

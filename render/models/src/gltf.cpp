@@ -6,8 +6,6 @@
 #include <array>
 #include <map>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "gltf_buffers.h"

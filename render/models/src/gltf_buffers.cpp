@@ -7,7 +7,6 @@
 #include <cctype>
 #include <charconv>
 #include <system_error>
-#include <utility>
 
 #include "gltf_meshopt.h"
 #include "occlude/render/input_file.h"

@@ -4,7 +4,6 @@
 #include <draco/compression/decode.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <string_view>
 #include <utility>

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <map>
-#include <string>
 #include <vector>
 
 #include "gltf_buffers.h"

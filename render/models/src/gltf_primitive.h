@@ -32,7 +32,6 @@ class Primitive {
   [[nodiscard]] std::uint64_t vertices() const { return positions_ ? positions_->size() : 0; }
   /// The accessor of the positions. REQUIRES: vertices() > 0.
   [[nodiscard]] std::uint64_t position_accessor() const { return position_accessor_; }
-  [[nodiscard]] std::size_t targets() const { return targets_.size(); }
   [[nodiscard]] bool is_skinned() const { return !influences_.empty(); }
   [[nodiscard]] bool is_opaque() const { return is_opaque_; }
   [[nodiscard]] bool is_compressed() const { return compressed_ != nullptr; }

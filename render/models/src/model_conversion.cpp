@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model_conversion.h"
 
-#include <cmath>
-
 #include "model_check.h"
 #include "occlude/render/errors.h"
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,8 +21,6 @@ using ply::Element;
 using ply::Header;
 using ply::Property;
 using ply::ValueReader;
-
-constexpr std::uint32_t kEndOfStrip = ~std::uint32_t{0};
 
 void read_vertices(ValueReader& values, const Element& element, ModelBuilder& builder) {
   for (std::size_t i = 0; i < element.count; ++i) {
@@ -62,7 +58,7 @@ class LoopReader {
     if (index >= 0 && std::cmp_less(index, vertices_)) return static_cast<std::uint32_t>(index);
     if (!is_strip_ || index != -1)
       values_.fail(fmt::format("vertex index {} is out of range ({} vertices)", index, vertices_));
-    return kEndOfStrip;
+    return ply::kEndOfStrip<std::uint32_t>;
   }
 
   ValueReader& values_;
@@ -71,16 +67,6 @@ class LoopReader {
   std::vector<std::int64_t> items_;
   std::vector<std::uint32_t> loop_;
 };
-
-/// Calls add(loop) for each triangle of the strips. One with two corners in one vertex only joins others.
-template <class Add>
-void for_each_triangle(std::span<const std::uint32_t> strips, const Add& add) {
-  for (std::size_t i = 0; i + 2 < strips.size(); ++i) {
-    const std::uint32_t a = strips[i], b = strips[i + 1], c = strips[i + 2];
-    if (a == kEndOfStrip || b == kEndOfStrip || c == kEndOfStrip || a == b || b == c || c == a) continue;
-    add(std::array{a, b, c});
-  }
-}
 
 /// Calls add(loop) for each face of an element of faces or strips.
 template <class Add>
@@ -99,7 +85,7 @@ void read_faces(ValueReader& values, const Element& element, std::size_t vertice
       }
     }
     if (is_strip) {
-      for_each_triangle(loop, add);
+      ply::for_each_triangle(loop, add);
     } else {
       add(loop);
     }

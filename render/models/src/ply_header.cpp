@@ -8,6 +8,7 @@
 
 #include "occlude/render/errors.h"
 #include "text_number.h"
+#include "words.h"
 
 namespace occlude::render::ply {
 namespace {
@@ -28,20 +29,6 @@ constexpr std::array<ScalarName, 8> kScalars = {{{"char", "int8", Scalar::int8, 
 
 // Most elements in a file, and properties in an element. Real files have a dozen. Bounds the search for repeated names.
 constexpr std::size_t kMostDeclarations = 1000;
-
-/// The first six words of a line. The longest statement has five, so longer lines are recognised.
-std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view kBlank = " \t";
-  constexpr std::size_t kMostWords = 6;
-  std::vector<std::string_view> words;
-  for (std::size_t at = line.find_first_not_of(kBlank); at != line.npos && words.size() < kMostWords;
-       at = line.find_first_not_of(kBlank, at)) {
-    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = end;
-  }
-  return words;
-}
 
 /// Reads the header line by line.
 class HeaderParser {

@@ -2,10 +2,11 @@
 // The header of a PLY file: the elements that follow and the encoding of their values.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,20 @@ struct Header {
 
   [[nodiscard]] const Element* find(std::string_view element) const;
 };
+
+/// Where a strip ends, in a list of them: -1.
+template <class Index>
+inline constexpr Index kEndOfStrip = static_cast<Index>(-1);
+
+/// Calls add(corners) for each triangle of a list of strips. One with two corners in one vertex only joins others.
+template <class Index, class Add>
+void for_each_triangle(std::span<const Index> strips, const Add& add) {
+  for (std::size_t i = 0; i + 2 < strips.size(); ++i) {
+    const Index a = strips[i], b = strips[i + 1], c = strips[i + 2];
+    const bool is_end = a == kEndOfStrip<Index> || b == kEndOfStrip<Index> || c == kEndOfStrip<Index>;
+    if (!is_end && a != b && b != c && c != a) add(std::array{a, b, c});
+  }
+}
 
 /// Throws InputError, naming `file` and the line, unless the header is well-formed.
 [[nodiscard]] Header read_header(const std::filesystem::path& file, std::string_view bytes);

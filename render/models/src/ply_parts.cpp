@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,23 +11,12 @@
 #include "part_readers.h"
 #include "ply_header.h"
 #include "ply_values.h"
+#include "words.h"
 
 namespace occlude::render {
 namespace {
 
 using ply::Element, ply::Header, ply::Property, ply::ValueReader;
-
-/// The words of a line, each with the blanks after it.
-std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  std::vector<std::string_view> words;
-  while (!line.empty()) {
-    const std::size_t end = std::min(line.find_first_not_of(kBlanks, line.find_first_of(kBlanks)), line.size());
-    words.push_back(line.substr(0, end));
-    line.remove_prefix(end);
-  }
-  return words;
-}
 
 /// The header with another number of faces.
 std::string with_faces(std::string_view header, std::size_t count) {
@@ -33,14 +24,11 @@ std::string with_faces(std::string_view header, std::size_t count) {
   while (!header.empty()) {
     const std::string_view line = header.substr(0, std::min(header.find('\n'), header.size() - 1) + 1);
     const auto words = words_of(line);
-    const auto is = [&](std::size_t i, std::string_view word) {
-      return words[i].substr(0, words[i].find_first_of(" \t\r\n")) == word;
-    };
-    if (words.size() == 3 && is(0, "element") && is(1, ply::kFaces)) {
-      text += words[0];
-      text += words[1];
+    if (words.size() == 3 && words[0] == "element" && words[1] == ply::kFaces) {
+      const auto at = static_cast<std::size_t>(words[2].data() - line.data());
+      text += line.substr(0, at);
       text += std::to_string(count);
-      text += words[2].substr(words[2].find_first_of(" \t\r\n"));
+      text += line.substr(at + words[2].size());
     } else {
       text += line;
     }
@@ -73,13 +61,9 @@ void for_each_item(const std::filesystem::path& file, std::string_view bytes, co
   }
 }
 
-/// Triangles that a list of strips has in the model: ply.cpp leaves the others out, too.
 std::uint64_t triangles_of(const std::vector<std::int64_t>& strips) {
   std::uint64_t count = 0;
-  for (std::size_t i = 0; i + 2 < strips.size(); ++i) {
-    const std::int64_t a = strips[i], b = strips[i + 1], c = strips[i + 2];
-    count += a != -1 && b != -1 && c != -1 && a != b && b != c && c != a ? 1 : 0;
-  }
+  ply::for_each_triangle(std::span(strips), [&](const auto&) { ++count; });
   return count;
 }
 

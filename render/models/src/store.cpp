@@ -15,7 +15,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/parallel.h"
 #include "mapped_file.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"

@@ -2,7 +2,6 @@
 // What gzip has compressed, block by block (RFC 1952).
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 

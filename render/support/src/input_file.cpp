@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <new>
 #include <system_error>
 #include <vector>
 

@@ -28,18 +28,6 @@ double visits(const Place& place, double cell) {
   return sum;
 }
 
-/// All cells, and the distances between them in tenths of a cell.
-struct Cells {
-  static constexpr std::uint32_t kMostCost = 17;
-  const Air& air;
-
-  [[nodiscard]] std::size_t size() const { return air.size(); }
-  template <class Visit>
-  void for_each_next(std::uint32_t cell, Visit&& visit) const {
-    air.for_each_next(cell, visit);
-  }
-};
-
 }  // namespace
 
 std::optional<Air> Air::find(const Place& place, const culler::Checkpoint& checkpoint) {
@@ -102,7 +90,7 @@ void Air::find_clearance(const Place& place, const culler::Checkpoint& checkpoin
   for (std::uint32_t cell = 0; cell < size(); ++cell) {
     if (is_full[cell] != 0) full.push_back(cell);
   }
-  clearance_ = costs(Cells{*this}, full, checkpoint);
+  clearance_ = costs(*this, full, checkpoint);
 }
 
 /// From the outermost cells, the widest ways first.

@@ -14,8 +14,11 @@
 
 namespace occlude::render {
 
+/// As a graph (rounds.h) of cells, with distances in tenths of a cell.
 class Air {
  public:
+  static constexpr std::uint32_t kMostCost = 17;
+
   /// None if the cells would have to be too wide.
   [[nodiscard]] static std::optional<Air> find(const Place& place, const culler::Checkpoint& checkpoint);
 

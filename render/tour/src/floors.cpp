@@ -228,29 +228,13 @@ std::uint32_t Floors::diagonal(std::uint32_t stand, unsigned d) const {
   return one == other ? one : kNone;
 }
 
-namespace {
-
-/// Stands and the distances between them in tenths of a column.
-struct Steps {
-  static constexpr std::uint32_t kMostCost = 14;
-  const Floors& floors;
-
-  [[nodiscard]] std::size_t size() const { return floors.stands().size(); }
-  template <class Visit>
-  void for_each_next(std::uint32_t stand, Visit&& visit) const {
-    floors.for_each_next(stand, visit);
-  }
-};
-
-}  // namespace
-
 void Floors::find_clearance(const culler::Checkpoint& checkpoint) {
   std::vector<std::uint32_t> border;
   for (std::uint32_t s = 0; s < stands_.size(); ++s) {
     const auto& next = stands_[s].next;
     if (std::find(next.begin(), next.end(), kNone) != next.end()) border.push_back(s);
   }
-  clearance_ = costs(Steps{*this}, border, checkpoint);
+  clearance_ = costs(*this, border, checkpoint);
 }
 
 bool Floors::is_wall(std::uint32_t column, const Stand& before) const {

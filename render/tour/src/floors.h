@@ -25,8 +25,10 @@ inline constexpr double kCeiling = 5;        // what is higher is a sky rather t
 inline constexpr double kSurroundings = 15;  // 25 m: walls that are farther do not enclose
 }  // namespace walker
 
+/// As a graph (rounds.h) of stands, with distances in tenths of a column.
 class Floors {
  public:
+  static constexpr std::uint32_t kMostCost = 14;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   struct Stand {
@@ -40,6 +42,7 @@ class Floors {
 
   [[nodiscard]] const Columns& columns() const { return columns_; }
   [[nodiscard]] const std::vector<Stand>& stands() const { return stands_; }
+  [[nodiscard]] std::size_t size() const { return stands_.size(); }
   /// How far the stand is from the nearest stand at a wall or a drop, in tenths of a column.
   [[nodiscard]] std::uint32_t clearance(std::uint32_t stand) const { return clearance_[stand]; }
   /// How much of the surroundings is walls and ceiling, from 0 to 1.

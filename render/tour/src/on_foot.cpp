@@ -36,38 +36,16 @@ double square(double x) { return x * x; }
 double worth(const Floors& floors, std::uint32_t stand) { return 0.001 + square(floors.enclosure(stand)); }
 
 /// The stands of one region that are far enough from walls. Ways are dear near walls and in the open.
-class Region {
- public:
-  static constexpr std::uint32_t kCheapest = 2, kDearest = 16;
-  static constexpr std::uint32_t kMostCost = 14 * 2 * kDearest;
+using Region = Weighted<Floors>;
 
-  Region(const Floors& floors, double comfort, std::vector<std::uint32_t> stands)
-      : floors_(floors), stands_(std::move(stands)), weight_(floors.stands().size()) {
-    for (const std::uint32_t s : stands_) {
-      const double crowded = std::max(0.0, 1 - floors.clearance(s) / comfort), open = 1 - floors.enclosure(s);
-      weight_[s] = static_cast<std::uint8_t>(kCheapest + std::lround(0.5 * (kDearest - kCheapest) * (crowded + open)));
-    }
+Region region_of(const Floors& floors, double comfort, const std::vector<std::uint32_t>& stands) {
+  Region region(floors);
+  for (const std::uint32_t s : stands) {
+    const double crowded = std::max(0.0, 1 - floors.clearance(s) / comfort), open = 1 - floors.enclosure(s);
+    region.allow(s, 0.5 * (crowded + open));
   }
-
-  [[nodiscard]] std::size_t size() const { return weight_.size(); }
-  [[nodiscard]] const std::vector<std::uint32_t>& stands() const { return stands_; }
-  [[nodiscard]] bool has(std::uint32_t stand) const { return weight_[stand] != 0; }
-
-  template <class Visit>
-  void for_each_next(std::uint32_t stand, Visit&& visit) const {
-    floors_.for_each_next(stand, [&](std::uint32_t next, std::uint32_t tenths) {
-      if (has(next)) visit(next, tenths * (weight_[stand] + weight_[next]));
-    });
-  }
-
-  /// The cost of a way of so many columns at the cheapest.
-  [[nodiscard]] static double cost_of(double columns) { return 10 * 2 * kCheapest * columns; }
-
- private:
-  const Floors& floors_;
-  std::vector<std::uint32_t> stands_;
-  std::vector<std::uint8_t> weight_;  ///< of each stand of the floors; 0 of those that are not in the region
-};
+  return region;
+}
 
 /// A length in tenths of a column, as clearances are.
 double tenths(double eye_heights, const Place& place, const Floors& floors) {
@@ -173,11 +151,7 @@ class Line {
     for (const std::uint32_t s : stands_) sum += floors_.enclosure(s);
     return sum / static_cast<double>(stands_.size());
   }
-  [[nodiscard]] double length() const {
-    double sum = 0;
-    for (std::size_t i = 1; i < points_.size(); ++i) sum += glm::distance(points_[i - 1], points_[i]);
-    return sum;
-  }
+  [[nodiscard]] double length() const { return length_of(points_); }
 
  private:
   [[nodiscard]] dvec2 middle(std::uint32_t stand) const { return floors_.columns().middle(floors_.stands()[stand].column); }
@@ -234,16 +208,17 @@ std::optional<CameraPath> on_foot(const Place& place, bool is_choosy, const cull
   const std::optional<Floors> floors = Floors::find(place, checkpoint);
   if (!floors) return std::nullopt;
   const double comfort = tenths(walker::kComfort, place, *floors);
-  const Region region(*floors, comfort, best_region(place, *floors, is_choosy));
-  if (region.stands().empty()) return std::nullopt;
+  const std::vector<std::uint32_t> stands = best_region(place, *floors, is_choosy);
+  if (stands.empty()) return std::nullopt;
 
-  const auto cost = [&](double eye_heights) { return Region::cost_of(tenths(eye_heights, place, *floors) / 10); };
-  const std::uint32_t start = heart(*floors, region.stands());
+  const Region region = region_of(*floors, comfort, stands);
+  const auto cost = [&](double eye_heights) { return Region::kCostOfWhole * (tenths(eye_heights, place, *floors) / 10); };
+  const std::uint32_t start = heart(*floors, stands);
   // Nothing much duller than the start is worth a detour.
   constexpr double kDull = 0.6;
   std::vector<std::uint32_t> sights;
-  std::copy_if(region.stands().begin(), region.stands().end(), std::back_inserter(sights),
-               [&](std::uint32_t s) { return floors->enclosure(s) >= kDull * floors->enclosure(start); });
+  std::ranges::copy_if(stands, std::back_inserter(sights),
+                       [&](std::uint32_t s) { return floors->enclosure(s) >= kDull * floors->enclosure(start); });
   Rounds rounds(region, start, false, checkpoint);
   const auto interest = [&](std::uint32_t s) { return worth(*floors, s) * std::min(1.0, floors->clearance(s) / comfort); };
   rounds.grow(sights, interest, kWalkStops, static_cast<std::uint64_t>(cost(kWalkLength)),

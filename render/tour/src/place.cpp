@@ -2,7 +2,6 @@
 #include "place.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 

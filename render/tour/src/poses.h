@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -22,6 +23,14 @@ struct Pose {
 
 /// The pose at `eye` that looks to `target`; level, in direction `yaw`, where that is no other point.
 [[nodiscard]] Pose pose(const glm::dvec3& eye, const glm::dvec3& target, double yaw, double stride);
+
+/// Of the line through these points.
+template <class Point>
+[[nodiscard]] double length_of(const std::vector<Point>& points) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += glm::distance(points[i - 1], points[i]);
+  return sum;
+}
 
 /// Poses along the points, each looking at the way `ahead` of it, and the last ones straight on.
 [[nodiscard]] std::vector<Pose> looking_ahead(const std::vector<glm::dvec3>& points, double ahead, double stride);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -18,6 +19,38 @@
 namespace occlude::render {
 
 inline constexpr std::uint32_t kUnreached = std::numeric_limits<std::uint32_t>::max();
+
+/// The places of a graph of distances in tenths that may be used, each with a weight. A step between two costs its length
+/// times the sum of theirs.
+template <class Graph>
+class Weighted {
+ public:
+  static constexpr std::uint32_t kCheapest = 2, kDearest = 16;
+  static constexpr std::uint32_t kMostCost = Graph::kMostCost * 2 * kDearest;
+  static constexpr double kCostOfWhole = 10 * 2 * kCheapest;  ///< of ten tenths, at the cheapest
+
+  /// None may be used. The graph must outlive the object.
+  explicit Weighted(const Graph& graph) : graph_(graph), weight_(graph.size()) {}
+
+  /// Lets the place be used. It is from 0 to 1 dear.
+  void allow(std::uint32_t place, double dear) {
+    weight_[place] = static_cast<std::uint8_t>(kCheapest + std::lround((kDearest - kCheapest) * dear));
+  }
+
+  [[nodiscard]] std::size_t size() const { return weight_.size(); }
+  [[nodiscard]] bool has(std::uint32_t place) const { return weight_[place] != 0; }
+
+  template <class Visit>
+  void for_each_next(std::uint32_t place, Visit&& visit) const {
+    graph_.for_each_next(place, [&](std::uint32_t next, std::uint32_t tenths) {
+      if (has(next)) visit(next, tenths * (weight_[place] + weight_[next]));
+    });
+  }
+
+ private:
+  const Graph& graph_;
+  std::vector<std::uint8_t> weight_;  ///< 0 of places that may not be used
+};
 
 /// The least cost from any of `from` to each place, by Dial's algorithm; kUnreached where there is no way.
 template <class Graph>

@@ -32,35 +32,17 @@ constexpr double kFlightAhead = 0.08;  // the eye looks so far ahead
 constexpr double kFlightFrames = 200;  // at the most, if it had not to turn
 
 /// Where one can fly from outside. Ways are dear near triangles.
-class Space {
- public:
-  static constexpr std::uint32_t kCheapest = 2, kDearest = 16;
-  static constexpr std::uint32_t kMostCost = 17 * 2 * kDearest;
+using Space = Weighted<Air>;
 
-  /// A clearance of `comfort` or more is cheap.
-  Space(const Air& air, double comfort) : weight_(air.size()), air_(air) {
-    for (std::uint32_t cell = 0; cell < air.size(); ++cell) {
-      if (air.clearance(cell) < kClear || air.width(cell) < kClear) continue;
-      const double crowded = std::max(0.0, 1 - air.clearance(cell) / comfort);
-      weight_[cell] = static_cast<std::uint8_t>(kCheapest + std::lround((kDearest - kCheapest) * crowded));
-    }
+/// A clearance of `comfort` or more is cheap.
+Space space_in(const Air& air, double comfort) {
+  Space space(air);
+  for (std::uint32_t cell = 0; cell < air.size(); ++cell) {
+    if (air.clearance(cell) < kClear || air.width(cell) < kClear) continue;
+    space.allow(cell, std::max(0.0, 1 - air.clearance(cell) / comfort));
   }
-
-  [[nodiscard]] std::size_t size() const { return weight_.size(); }
-  [[nodiscard]] bool has(std::uint32_t cell) const { return weight_[cell] != 0; }
-  [[nodiscard]] double cost_of(double length) const { return 10 * 2 * kCheapest * length / air_.cell(); }
-
-  template <class Visit>
-  void for_each_next(std::uint32_t cell, Visit&& visit) const {
-    air_.for_each_next(cell, [&](std::uint32_t next, std::uint32_t tenths) {
-      if (has(next)) visit(next, tenths * (weight_[cell] + weight_[next]));
-    });
-  }
-
- private:
-  std::vector<std::uint8_t> weight_;  ///< 0 where one cannot fly
-  const Air& air_;
-};
+  return space;
+}
 
 /// How much a cell is worth to be seen from.
 double worth(const Air& air, std::uint32_t cell) {
@@ -108,12 +90,6 @@ std::vector<dvec3> smooth_line(const Air& air, const Space& space, const std::ve
   return points;
 }
 
-double length(const std::vector<dvec3>& points) {
-  double sum = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum += glm::distance(points[i - 1], points[i]);
-  return sum;
-}
-
 /// The poses of the flight. Before it is in the model it looks at where it goes in, and after it has left it looks back.
 /// None if it does not go in: smoothing may leave it outside of a nook.
 std::optional<std::vector<Pose>> flight(const Air& air, const std::vector<dvec3>& points, double ahead, double stride) {
@@ -139,12 +115,12 @@ std::optional<CameraPath> through_air(const Place& place, const culler::Checkpoi
   const std::vector<std::uint32_t> inner = inner_cells(*air);
   if (inner.empty()) return std::nullopt;
   const double comfort = air->width(inner.front());
-  const Space space(*air, comfort);
+  const Space space = space_in(*air, comfort);
   const std::uint32_t start = gate(*air, space, inner.front(), checkpoint);
 
   Rounds rounds(space, start, true, checkpoint);
   const double size = glm::length(place.size());
-  const auto cost = [&](double sizes) { return space.cost_of(sizes * size); };
+  const auto cost = [&](double sizes) { return Space::kCostOfWhole * (sizes * size) / air->cell(); };
   const auto unlimited = std::numeric_limits<std::uint64_t>::max();
   rounds.grow(
       std::span(inner).first(1), [](std::uint32_t) { return 1.0; }, 2, unlimited, 0);
@@ -161,7 +137,7 @@ std::optional<CameraPath> through_air(const Place& place, const culler::Checkpoi
   std::vector<dvec3> points{end, above};
   points.insert(points.end(), line.begin(), line.end());
   points.insert(points.end(), {above, end});
-  const auto through = flight(*air, points, kFlightAhead * size, length(points) / kFlightFrames);
+  const auto through = flight(*air, points, kFlightAhead * size, length_of(points) / kFlightFrames);
   if (!through) return std::nullopt;
   poses.insert(poses.end(), through->begin(), through->end());
   return film(place, poses, kFilmed * air->cell());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/tour.h"
 
-#include <optional>
 #include <stdexcept>
 
 #include "around.h"
