@@ -6,6 +6,8 @@ from visible_sets import VisibleSets
 
 try:
     file, *eye = sys.argv[1:]
+    if len(eye) != 3:
+        raise ValueError("expected FILE X Y Z")
     sets = VisibleSets(file)
     sets.check()
     cell = sets.cell_at([float(number) for number in eye])
@@ -13,6 +15,6 @@ try:
     if cell is not None:
         print("items", *sorted(sets.visible(cell)))
         print("cells", *sorted(sets.visible_cells(cell)))
-except (IndexError, OSError, ValueError) as error:
+except (OSError, ValueError) as error:
     print(f"{' '.join(sys.argv[1:2])}: {error}", file=sys.stderr)
     sys.exit(2)
