@@ -44,7 +44,7 @@ grep -A1 '"worse": \[' stdout | grep -q '"false_culls"' || fail "false culls: $(
 grep -q '&lt;b&gt;.ply' page.html || fail "the page does not escape names"
 ! grep -q '<svg' page.html || fail "curves without frames"
 compare a less --out page.html
-[ "$(grep -o '<svg' page.html | wc -l)" -eq 3 ] || fail "no curves"
+[ "$(grep -o '<svg' page.html | wc -l)" -eq 4 ] || fail "no curves"
 
 # Walks are called by their folders, and shown: a plate of each, of the same frame where both have one.
 head -n 20 stdout | grep -q 'A: a  *B: less ' || fail "the table does not name the walks: $(cat stdout)"
@@ -62,7 +62,7 @@ expect_error "named twice" "$occlude" compare a less --out a/plates/$(ls a/plate
 mkdir busy && cp a/summary.json busy
 awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i } NR > 1 { $c["view_frustum_frame_ms"] *= 1.2; $c["cull_ms"] *= 2 } 1' a/frames.csv >busy/frames.csv
 compare a busy
-grep -q '^warning: Times cannot be compared, and are not judged: .* took 1.20 times as long in B' stdout || fail "no warning: $(cat stdout)"
+grep -q '^warning: Times by the clock cannot be compared, and are not judged: .* took 1.20 times as long in B' stdout || fail "no warning: $(cat stdout)"
 grep -q '; worse: nothing$' stdout || fail "times are judged: $(cat stdout)"
 sed 's/"busy": [^}]*/"busy": "The machine was <busy>."/' a/summary.json >said.json
 compare said.json a --out page.html

@@ -26,13 +26,16 @@ const char* word_for(Verdict verdict) {
 /// Why times are not to be believed; empty if nothing speaks against them.
 std::vector<std::string> doubts(const WalkComparison& comparison) {
   std::vector<std::string> doubts;
-  if (!comparison.has_same_pace()) {
+  const auto add = [&](const char* times, const char* longer, const std::optional<double>& control) {
+    if (is_same_pace(control)) return;
     doubts.push_back(
-        fmt::format("Times cannot be compared, and are not judged: the view frustum alone, which both walks cull alike, "
+        fmt::format("Times {} cannot be compared, and are not judged: the view frustum alone, which both walks cull alike, "
                     "took {:.2f} times "
-                    "as long in B. The machine was another one, or busy.",
-                    *comparison.control));
-  }
+                    "as {} in B. The machine was another one, or busy.",
+                    times, *control, longer));
+  };
+  add("by the clock", "long", comparison.control);
+  add("of the processor", "much", comparison.control_of_processor);
   for (const auto* walk : {&comparison.a, &comparison.b}) {
     if (!walk->busy.empty()) doubts.push_back(fmt::format("{}: {}", walk->label, walk->busy));
   }
@@ -117,6 +120,7 @@ Json json_of(const WalkComparison& comparison) {
   for (const Difference& d : comparison.differences)
     json["differences"].push_back({{"name", d.name}, {"a", d.a}, {"b", d.b}});
   json["control"] = if_known(comparison.control);
+  json["control_of_processor"] = if_known(comparison.control_of_processor);
   json["warnings"] = doubts(comparison);
   json["figures"] = json_of(table_of(comparison));
   json["worse"] = comparison.worse();
@@ -137,6 +141,7 @@ std::string comparison_page(const WalkComparison& comparison) {
   if (comparison.frames && !comparison.frames->empty()) {
     body += curves(comparison, "mean.frame_ms", "Frame time", "milliseconds") +
             curves(comparison, "mean.cull_ms", "Culling", "milliseconds") +
+            curves(comparison, "mean.cull_processor_ms", "Culling, time of the processor", "milliseconds") +
             curves(comparison, "mean.rendered_polygons", "Polygons drawn", "polygons");
   }
   body += section("Figures", html_of(known_figures(comparison)));

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -33,7 +34,7 @@ enum class Better { neither, less, more };
 constexpr double kMostChangeOfPace = 0.1;
 
 /// A ratio of times of one walk does not hang on the machine as times do.
-enum class Kind { fault, count, time, ratio };
+enum class Kind { fault, count, time, processor_time, ratio };
 /// What a member of summary.json may be, beside null.
 enum class Type { text, flag, whole, amount, share, size };
 
@@ -59,14 +60,14 @@ constexpr auto kFigures = std::to_array<Figure>({
     {"mean.candidates", Type::amount, Better::neither, Kind::count, "candidates"},
     {"mean.sort_moves", Type::amount, Better::neither, Kind::count, "sort_moves"},
     {"mean.cull_ms", Type::amount, Better::less, Kind::time, "cull_ms"},
-    {"mean.cull_processor_ms", Type::amount, Better::less, Kind::time, "cull_processor_ms"},
+    {"mean.cull_processor_ms", Type::amount, Better::less, Kind::processor_time, "cull_processor_ms"},
     {"mean.view_frustum_cull_ms", Type::amount, Better::neither, Kind::time, "view_frustum_cull_ms"},
     {"mean.witness_ms", Type::amount, Better::less, Kind::time},
     {"mean.frame_ms", Type::amount, Better::less, Kind::time, "frame_ms"},
     {"mean.frame_ms_view_frustum_only", Type::amount, Better::neither, Kind::time, "view_frustum_frame_ms"},
     {"mean.frame_ms_visible_only", Type::amount, Better::neither, Kind::time, "visible_frame_ms"},
-    {"mean.frame_processor_ms", Type::amount, Better::less, Kind::time, "frame_processor_ms"},
-    {"mean.frame_processor_ms_view_frustum_only", Type::amount, Better::neither, Kind::time,
+    {"mean.frame_processor_ms", Type::amount, Better::less, Kind::processor_time, "frame_processor_ms"},
+    {"mean.frame_processor_ms_view_frustum_only", Type::amount, Better::neither, Kind::processor_time,
      "view_frustum_frame_processor_ms"},
     {"speedup", Type::amount, Better::more, Kind::ratio, "view_frustum_frame_ms", "frame_ms"},
     {"speedup_limit.polygons", Type::amount},
@@ -272,8 +273,9 @@ ComparedFigure compare(const Figure& figure, const WalkReading& a, const WalkRea
   return compared;
 }
 
-std::optional<double> control_of(const std::vector<ComparedFigure>& figures) {
-  for (const char* name : {"mean.frame_ms_view_frustum_only", "mean.view_frustum_cull_ms"}) {
+/// Of the first of these figures that is known.
+std::optional<double> control_of(const std::vector<ComparedFigure>& figures, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
     const auto figure = std::ranges::find(figures, name, &ComparedFigure::name);
     if (figure->per_frame) return figure->per_frame->median;
     if (const std::optional<double> ratio = figure->ratio()) return ratio;
@@ -281,10 +283,10 @@ std::optional<double> control_of(const std::vector<ComparedFigure>& figures) {
   return std::nullopt;
 }
 
-/// Takes back what was found of times.
-void forget_times(std::vector<ComparedFigure>& figures) {
+/// Takes back what was found of a kind.
+void forget(std::vector<ComparedFigure>& figures, Kind kind) {
   for (std::size_t i = 0; i < kFigures.size(); ++i) {
-    if (kFigures[i].kind == Kind::time) figures[i].verdict = Verdict::unjudged;
+    if (kFigures[i].kind == kind) figures[i].verdict = Verdict::unjudged;
   }
 }
 
@@ -400,20 +402,22 @@ std::vector<std::string> WalkComparison::worse() const {
   return names;
 }
 
-bool WalkComparison::has_same_pace() const {
+bool is_same_pace(const std::optional<double>& control) {
   return !control || (*control <= 1 + kMostChangeOfPace && *control >= 1 / (1 + kMostChangeOfPace));
 }
 
 WalkComparison compare_walks(const WalkReading& a, const WalkReading& b) {
   const bool have_own_labels = a.label != b.label;
   WalkComparison comparison{
-      compared(a, have_own_labels), compared(b, have_own_labels), differences_of(a.summary, b.summary), {}, {}, {}};
+      compared(a, have_own_labels), compared(b, have_own_labels), differences_of(a.summary, b.summary), {}, {}, {}, {}};
   choose_plates(a, b, comparison);
   std::optional<Frames> frames;
   if (a.frames && b.frames) frames.emplace(*a.frames, *b.frames);
   for (const Figure& figure : kFigures) comparison.figures.push_back(compare(figure, a, b, frames ? &*frames : nullptr));
-  comparison.control = control_of(comparison.figures);
-  if (!comparison.has_same_pace()) forget_times(comparison.figures);
+  comparison.control = control_of(comparison.figures, {"mean.frame_ms_view_frustum_only", "mean.view_frustum_cull_ms"});
+  comparison.control_of_processor = control_of(comparison.figures, {"mean.frame_processor_ms_view_frustum_only"});
+  if (!is_same_pace(comparison.control)) forget(comparison.figures, Kind::time);
+  if (!is_same_pace(comparison.control_of_processor)) forget(comparison.figures, Kind::processor_time);
   if (!frames) return comparison;
   comparison.frames.emplace();
   for (const std::size_t row : frames->rows_of_a) comparison.frames->push_back(frames->a.frames()[row]);

@@ -61,14 +61,15 @@ struct WalkComparison {
   std::vector<Difference> differences;
   std::vector<ComparedFigure> figures;
   std::optional<std::vector<double>> frames;  ///< that both have, if both have a frames.csv
-  /// B / A of what both do alike, frames by the view frustum alone; none if it is not known of both.
-  std::optional<double> control;
-
-  /// Whether the control took the same time, but for a tenth: else the machine was another one, or busy.
-  [[nodiscard]] bool has_same_pace() const;
+  /// B / A of what both do alike, frames by the view frustum alone, by the clock and of the processor; none if it is not
+  /// known of both.
+  std::optional<double> control, control_of_processor;
 
   [[nodiscard]] std::vector<std::string> worse() const;
 };
+
+/// Whether a control took the same time, but for a tenth, or is not known: else the machine was another one, or busy.
+[[nodiscard]] bool is_same_pace(const std::optional<double>& control);
 
 /// Counts got better or worse if they changed by more than a thousandth, wrong pixels and false culls by any number. Times
 /// did if the median of their ratios, frame by frame, is more than 5 % from 1 and surely (95 %) on that side of 1, and the
