@@ -10,8 +10,8 @@
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/scene.h"
 #include "occlude/culler/simplified_occluders.h"
+#include "occlude/render/processor_time.h"
 #include "occlude/render/progress.h"
-#include "processor_time.h"
 #include "rounds.h"
 
 namespace occlude::experiments {
@@ -59,7 +59,7 @@ void run(OccludersTrial& trial, const Subject& subject, const Options& options) 
   for (const std::size_t frame : frames) {
     render::check_interrupt();
     const culler::Camera camera = subject.path.camera(frame, aspect(options.walk));
-    const ProcessorTime time(ProcessorTime::Of::thread);
+    const render::ProcessorTime time(render::ProcessorTime::Of::thread);
     // Each frame looks at all occluders, so that these alone are compared.
     const culler::SceneOptions how{.cover = options.walk.cull.cover, .is_adaptive = false};
     const culler::SceneStats& stats = trial.scene.cull(camera, how, view).stats;

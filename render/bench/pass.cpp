@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "pass.h"
 
+#include "occlude/render/processor_time.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/stopwatch.h"
 #include "occlude/render/view_along_path.h"
-#include "processor_time.h"
 
 namespace occlude::experiments {
 
@@ -17,7 +17,7 @@ Pass pass_along(const culler::Culler& culler, const render::CameraPath& path, co
     render::check_interrupt();
     const culler::Camera camera = path.camera(frame, aspect(walk));
     culler::View& view = along.before(frame);
-    const ProcessorTime time(ProcessorTime::Of::thread);  // which takes longer to ask for than the clock
+    const render::ProcessorTime time(render::ProcessorTime::Of::thread);  // which takes longer to ask for than the clock
     const render::Stopwatch clock;
     const culler::CullResult& culled = culler.cull(camera, cull, view);
     sum.clock_ms += clock.milliseconds();

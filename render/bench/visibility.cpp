@@ -6,10 +6,10 @@
 
 #include "bench.h"
 #include "occlude/render/offscreen_context.h"
+#include "occlude/render/processor_time.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/scene_renderer.h"
 #include "own_ways.h"
-#include "processor_time.h"
 
 namespace occlude::experiments {
 namespace {
@@ -73,7 +73,7 @@ std::vector<VisibilityTrial> prepare(const std::vector<UnpreparedWay>& ways, std
   for (const UnpreparedWay& way : ways) {
     render::check_interrupt();
     VisibilityTrial trial;
-    const ProcessorTime time(ProcessorTime::Of::process);
+    const render::ProcessorTime time(render::ProcessorTime::Of::process);
     trial.way = way.prepare();
     trial.result.prepare_ms = time.milliseconds();
     trial.result.project = way.project;
@@ -93,7 +93,7 @@ void cull_frame(std::vector<VisibilityTrial>& trials, std::size_t i, std::size_t
     render::check_interrupt();
     VisibilityTrial& trial = trials[(k + i + round) % trials.size()];
     trial.way->move_to(frame);
-    const ProcessorTime time(ProcessorTime::Of::thread);
+    const render::ProcessorTime time(render::ProcessorTime::Of::thread);
     trial.way->cull(camera);
     trial.cull_ms[i].push_back(time.milliseconds());
   }
@@ -139,7 +139,7 @@ VisibilityResult measure_visibility(const Subject& subject, const VisibilityOpti
   result.model = subject.name;
   result.polygons = subject.soup.size();
   result.frames = frames.size();
-  const ProcessorTime time(ProcessorTime::Of::process);
+  const render::ProcessorTime time(render::ProcessorTime::Of::process);
   const auto tree = culler::Hierarchy::build(subject.soup, options.walk.build.hierarchy, render::check_interrupt);
   result.tree_ms = time.milliseconds();
   result.leaves = static_cast<std::size_t>(std::ranges::count_if(tree.nodes(), &culler::HierarchyNode::is_leaf));

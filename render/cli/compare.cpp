@@ -47,9 +47,9 @@ void add_compare(Command app, int& exit_code) {
       "frame\n"
       "by frame as well, over the frames that both have: its median, and the 5th and 95th percentile.\n"
       "Counts are worse if they changed by a thousandth, wrong pixels and false culls if there are more of them. Times are\n"
-      "worse if the median of their ratios is 5 % worse and, with 95 % confidence, no chance; from summaries alone they "
-      "are\n"
-      "not judged.\n"
+      "worse if the median of their ratios is 5 % worse and, with 95 % confidence, no chance; from summaries alone, and "
+      "where\n"
+      "the view frustum alone took a tenth longer in one of them, they are not judged.\n"
       "Exit code: 0; 1 with --fail-if-worse if something got worse; 2 for bad input.\n" +
       limits_help() +
       "\n"
@@ -57,7 +57,7 @@ void add_compare(Command app, int& exit_code) {
   const auto a = std::make_shared<CompareArguments>();
   add_input(command, "A", a->a, "folder or summary.json of the first walk").required();
   add_input(command, "B", a->b, "folder or summary.json of the second walk").required();
-  add_output(command, "--out", a->out, "write a page with the table and the curves of both to this file (HTML)");
+  add_output(command, "--out", a->out, "write a page with the table, plates and the curves of both to this file (HTML)");
   command.add_flag("--fail-if-worse", a->fail_if_worse, "exit with 1 if something got worse");
   command.add_flag("--json", a->json, "print JSON instead of the table");
   command.run([a, &exit_code] { compare(*a, exit_code); });

@@ -16,10 +16,12 @@
 #include "commands.h"
 #include "occlude/render/console.h"
 #include "occlude/render/interrupt.h"
+#include "occlude/render/machine.h"
 #include "occlude/render/methods.h"
 #include "occlude/render/model_text.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
+#include "occlude/render/progress.h"
 #include "occlude/render/stopwatch.h"
 #include "occlude/render/store.h"
 #include "occlude/render/summary.h"
@@ -66,6 +68,7 @@ std::string what_is_walked(const std::string& name, const culler::Culler& culler
 }
 
 void walk(const WalkCommand& arguments, int& exit_code, const std::string& command_line) {
+  const std::optional<double> load = render::load_of_machine();  // before this walk adds to it
   render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
   options.render = !arguments.no_render;
@@ -76,40 +79,49 @@ void walk(const WalkCommand& arguments, int& exit_code, const std::string& comma
   const std::filesystem::path out = arguments.out;
   render::WalkFiles files(out, options, command_line, !is_path_of(out, arguments.path));
   const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
+  std::optional<render::ShownStage> stage("reading");
   render::ModelFile model = open_model(arguments.model, options);
   if (model.soup) render::require_walkable(model.soup->size(), name);
+  stage.emplace("making the path");
   const render::CameraPath path = arguments.path.through(model);
   static_cast<void>(render::frames_of(path, options));  // throws before the work
   const render::Convention convention = model.notes.convention;
+  stage.emplace("preparing");
   const render::Stopwatch stopwatch;
   const culler::Culler culler = render::make_culler(std::move(model), options);
   const double preprocess_s = stopwatch.seconds();
+  stage.reset();
   warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
   if (!arguments.json) render::tell(what_is_walked(name, culler, convention, path));
   render::WalkResult result = render::walk(culler, path, options, name, files);
   result.preprocess_s = preprocess_s;
+  result.load = load;
   render::Summary summary = summarise(result, options, name);
   bool has_passed = render::passed(result);
-  if (!arguments.walk.has_method()) {
-    const std::vector<render::WalkOptions> beside = render::options_beside(options);
-    std::vector<render::WalkResult> results;
-    std::vector<render::MethodWalk> walks{{&options, &result}};
-    results.reserve(beside.size());  // walks refer to them
-    for (const render::WalkOptions& other : beside) {
-      results.push_back(walk_beside(culler_beside(culler, arguments.model, options, other), path, other));
-      walks.push_back({&other, &results.back()});
-      has_passed = has_passed && render::passed(results.back());
-    }
-    summary.methods = render::methods_of(walks, options.render);
+  const std::vector<render::WalkOptions> beside =
+      arguments.walk.has_method() ? std::vector<render::WalkOptions>() : render::options_beside(options);
+  std::vector<render::WalkResult> results;
+  std::vector<render::MethodWalk> walks{{&options, &result}};
+  results.reserve(beside.size());  // walks refer to them
+  for (const render::WalkOptions& other : beside) {
+    stage.emplace("preparing");
+    const culler::Culler of_other = culler_beside(culler, arguments.model, options, other);
+    stage.reset();
+    results.push_back(render::walk(of_other, path, other, name, files.add_method()));
+    walks.push_back({&other, &results.back()});
+    has_passed = has_passed && render::passed(results.back());
   }
+  summary.methods = render::methods_of(walks, options.render);
   exit_code = has_passed ? kDone : kCheckFailed;
-  files.write(result, summary, path);
+  stage.emplace("writing the report");
+  files.write(walks, summary, path);
   if (cases) cases->close();
   {
     const render::Uninterrupted together;
     files.commit();
     if (cases) cases->commit();
   }
+  stage.reset();
   if (arguments.json) {
     render::print(json_of(summary).dump(2) + "\n");
   } else {

@@ -44,7 +44,30 @@ grep -A1 '"worse": \[' stdout | grep -q '"false_culls"' || fail "false culls: $(
 grep -q '&lt;b&gt;.ply' page.html || fail "the page does not escape names"
 ! grep -q '<svg' page.html || fail "curves without frames"
 compare a less --out page.html
-[ "$(grep -o '<svg' page.html | wc -l)" -eq 3 ] || fail "no curves"
+[ "$(grep -o '<svg' page.html | wc -l)" -eq 4 ] || fail "no curves"
+
+# Walks are called by their folders, and shown: a plate of each, of the same frame where both have one.
+head -n 20 stdout | grep -q 'A: a  *B: less ' || fail "the table does not name the walks: $(cat stdout)"
+grep -q '<h1>a and less</h1>' page.html && grep -q '>B: less</text>' page.html || fail "the page does not name the walks"
+[ "$(grep -o '<img src="data:image/png;base64,iVBOR' page.html | wc -l)" -eq 2 ] || fail "no plates"
+frames=$(grep -o 'alt="[AB]: [a-z]*: frame [0-9]* from outside"' page.html | sed 's/.*frame \([0-9]*\).*/\1/' | uniq | wc -l)
+[ "$frames" -eq 1 ] || fail "plates of two frames: $(grep -o 'alt="[^"]*"' page.html)"
+mkdir -p other && cp -r less other/a && compare a other/a && grep -q 'A: a  *B: other/a ' stdout || fail "two folders of one name: $(cat stdout)"
+for name in frame_x_outside frame_000001_view frame_000002_outside; do : >less/plates/$name.png; done
+compare a less --out page.html
+[ "$(grep -o '<img src="data:image/png;base64,iVBOR' page.html | wc -l)" -eq 2 ] || fail "what is no plate is shown"
+expect_error "named twice" "$occlude" compare a less --out a/plates/$(ls a/plates | grep outside | head -n 1)
+
+# The view frustum alone took longer: times are not judged.
+mkdir busy && cp a/summary.json busy
+awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i } NR > 1 { $c["view_frustum_frame_ms"] *= 1.2; $c["cull_ms"] *= 2 } 1' a/frames.csv >busy/frames.csv
+compare a busy
+grep -q '^warning: Times by the clock cannot be compared, and are not judged: .* took 1.20 times as long in B' stdout || fail "no warning: $(cat stdout)"
+grep -q '; worse: nothing$' stdout || fail "times are judged: $(cat stdout)"
+sed 's/"busy": [^}]*/"busy": "The machine was <busy>."/' a/summary.json >said.json
+compare said.json a --out page.html
+grep -q '^warning: said.json: The machine was <busy>.$' stdout || fail "a busy machine is not told: $(cat stdout)"
+grep -q 'The machine was &lt;busy&gt;.' page.html || fail "the page does not tell of a busy machine"
 
 # Times: B is slower on every frame by a fifth, or by nothing on most.
 mkdir slow odd

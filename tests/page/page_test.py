@@ -169,8 +169,8 @@ class Reading(Page):
         ActionChains(self.driver).move_to_element(chart).perform()
         self.assertNotEqual(legend.text, at_cursor)
         row = self.run_script('return page.charts.charts[1].chart.getSelection()')
-        drawn = self.run_script('return page.columns.drawn[arguments[0]]', row)
-        self.assertIn(f'with occlusion culling {drawn:,}', legend.text)
+        drawn, name = self.run_script('return [page.columns.drawn[arguments[0]], page.walk.name]', row)
+        self.assertIn(f'{name} {drawn:,}', legend.text)
         ActionChains(self.driver).click().perform()
         self.assertEqual(self.run_script('return page.index'), row)
 
@@ -227,17 +227,106 @@ class Reading(Page):
         self.assertNotEqual(self.picture(), light_picture)
 
 
+class Methods(Page):
+    NAMES = ['automatic', 'shadow frusta', 'joined shadows']
+
+    def choices(self):
+        return self.driver.find_elements(By.CSS_SELECTOR, '#methodOfView label')
+
+    def choose(self, method):
+        self.click(self.choices()[method])
+        WebDriverWait(self.driver, 20).until(lambda _: self.run_script('return page.method') == method)
+
+    def test_one_is_not_asked_where_there_is_one(self):
+        self.open('cover')
+        self.assertFalse(self.element('methodOfView').is_displayed())
+
+    def test_each_has_its_figures_of_the_frame(self):
+        for walk in ('methods', 'undrawn'):
+            self.open(walk)
+            walks, index = self.run_script('return [page.walks, page.index]')
+            self.assertEqual([w['walk']['name'] for w in walks], self.NAMES)
+            for choice, of, name in zip(self.choices(), walks, self.NAMES, strict=True):
+                drawn, ms = (of['columns'][c][index] for c in ('drawn', 'cull_ms'))
+                self.assertEqual(choice.text.split('\n'), [name, f'{drawn:,} · {ms:.2f} ms'])
+
+    def test_all_are_in_the_charts(self):
+        self.open('methods')
+        times, polygons = self.run_script('return page.charts.charts.slice(0, 2).map(c => c.series.map(s => [s.name, s.values]))')
+        walks = self.run_script('return page.walks')
+        for of, name in zip(walks, self.NAMES, strict=True):
+            self.assertIn([name, of['columns']['drawn']], polygons)
+            self.assertIn([f'{name}: culling alone', of['columns']['cull_ms']], times)
+            self.assertIn([f'{name}, processor time', of['columns']['frame_processor_ms']], times)
+        legend = self.driver.find_element(By.CSS_SELECTOR, '#times .legend')
+        self.assertNotIn('processor time', legend.text)
+        self.click(self.driver.find_element(By.CSS_SELECTOR, '[data-series="processor time"]'))
+        self.assertEqual(legend.text.count('processor time'), 7)
+
+    def test_another_is_shown(self):
+        self.open('methods')
+        seen = {}
+        for method in (1, 2, 0):
+            self.choose(method)
+            drawn, of_leaves, columns, kind = self.run_script("""
+                const {frame, model} = page, isDrawn = (_, leaf) => frame.fates[leaf] === 0;
+                const leaves = Array.from({length: model.leaves}, (_, leaf) => model.firstPolygon[leaf + 1] - model.firstPolygon[leaf]);
+                return [page.columns.drawn[page.index], leaves.filter(isDrawn).reduce((a, b) => a + b, 0), page.columns, page.walk.kind];""")
+            self.assertEqual(drawn, of_leaves)
+            self.assertEqual(self.element('count-drawn').text, f'{drawn:,}')
+            self.assertIn(f'{drawn:,} polygons drawn', self.element('told').text)
+            self.assertEqual(self.element('hiddenBy').text, {'cover': 'culled by cover', 'frusta': 'culled by shadow'}[kind])
+            self.assertIn({'cover': 'pieces were used', 'frusta': 'occluders were chosen'}[kind], self.element('occluders').text)
+            fates = self.run_script('return page.charts.charts.map(c => c.series.find(s => s.name.startsWith("culled"))?.values).filter(v => v)')
+            self.assertEqual(fates, [columns['culled']])
+            seen[method] = self.picture(), self.run_script('return document.getElementById("map").toDataURL()')
+        for i in range(2):
+            self.assertNotEqual(seen[0][i], seen[1][i])
+        self.assert_quiet()
+
+    def test_the_command_is_for_the_method(self):
+        for walk, method in (('methods', 'frusta'), ('frusta', 'automatic')):
+            self.open(walk)
+            self.choose(1)
+            command = self.run_script('return page.commandFor(page.model.polygonsIn(page.frame.fates.indexOf(0))[0])')
+            self.assertIn(f' --method {method} --frame ', command)
+            words = command.split()
+            said = json.loads(subprocess.run([OCCLUDE, *words[1:], '--json'], capture_output=True, check=True).stdout)
+            self.assertEqual(said['fate'], 'drawn')
+
+
 class Viewing(Page):
     def test_every_layer_shows_something(self):
         self.open('frusta')
         self.run_script('page.setIndex(page.columns.culled.indexOf(Math.max(...page.columns.culled)))')
         self.run_script('page.viewer.depth /= 10')  # so that there is something to cut off
-        for box in self.driver.find_elements(By.CSS_SELECTOR, 'input[data-layer]'):
+        for box in self.driver.find_elements(By.CSS_SELECTOR, 'label:not([hidden]) > input[data-layer]'):
             whole = self.picture()
             self.click(box)
             self.assertNotEqual(self.picture(), whole, box.get_attribute('data-layer'))
             self.click(box)
             self.assertEqual(self.picture(), whole, box.get_attribute('data-layer'))
+
+    def test_a_room_is_cut_open_so_that_one_sees_the_camera(self):
+        self.open('room')
+        between = """
+            const {viewer} = page, outside = viewer.outside(), {eye} = viewer.camera;
+            const way = eye.map((c, i) => c - outside.eye[i]);
+            const seen = cut => {
+              const [number] = viewer.numbersIn({...outside, target: eye, fov_y_deg: 1, aspect: 1}, {...viewer.layers, cut}, 1, 1);
+              return number !== 0 && viewer.shareOf(outside.eye, way, number - 1) < 0.999;
+            };
+            viewer.see();
+            return [seen(false), seen(true)];"""
+        were_between = 0
+        for index in range(3):
+            self.run_script('page.setIndex(arguments[0])', index)
+            for turn in range(4):
+                whole, cut = self.run_script(between)
+                self.assertFalse(cut, f'frame {index}, turn {turn}')
+                were_between += whole
+                self.run_script('page.orbit.move(orbit => orbit.turn(1.5, 0))')
+        self.assertGreater(were_between, 3)
 
     def test_boxes_end_at_the_culled_subtrees_and_the_drawn_leaves(self):
         for walk in ('frusta', 'cover', 'held'):
@@ -261,7 +350,7 @@ class Viewing(Page):
             self.assertEqual(vain, sum(columns['drawn']) - sum(columns['visible']))
             self.assertEqual(self.run_script('return page.scene.drawn_frames'), len(columns['drawn']))
         self.open('undrawn')
-        self.assertEqual(self.driver.find_elements(By.ID, 'vain'), [])
+        self.assertFalse(self.element('vain').is_displayed())
 
     def test_a_frame_that_is_held_tells_of_its_region(self):
         self.open('held')
@@ -285,7 +374,7 @@ class Viewing(Page):
         self.assertNotEqual(self.picture(), without)
         self.open('cover')
         for part in ('region', 'marks'):
-            self.assertEqual(self.driver.find_elements(By.ID, part), [])
+            self.assertFalse(self.element(part).is_displayed())
         self.assertFalse(self.element('regions').is_displayed())
 
     def test_a_table_names_who_hid_what(self):

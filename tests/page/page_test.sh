@@ -22,6 +22,9 @@ printf 'newmtl glass\nd 0.5\n' >glass.mtl
 echo '{"frames":2,"keyframes":[{"eye":[0,0,0],"target":[4,0,0]},{"eye":[0,0,0],"target":[4,0,0]}]}' >towards.json
 "$occlude" walk glass.obj --path towards.json --size 320x180 --out glass >/dev/null || fail "walk to glass"
 "$occlude" walk city.ply "${frames[@]}" --method cover --hold 40 --out held >/dev/null || fail "walk that holds"
+"$occlude" walk city.ply "${frames[@]}" --out methods >/dev/null || fail "walk by all methods"
+room
+"$occlude" walk room.ply --frames 0:300:100 --method cover --size 320x180 --out room >/dev/null || fail "walk in a room"
 "$occlude" walk city.ply "${frames[@]}" --no-render --out undrawn >/dev/null || fail "walk --no-render"
 
 "$python" -B "$tests/page_test.py" "$occlude" || fail "page_test.py"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/walk_comparison.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -10,7 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "occlude/render/comparison_report.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/summary.h"
 
@@ -49,6 +52,8 @@ Json whole_summary() {
   summary.machine.renderer = "some renderer";
   summary.mean.visible_polygons = summary.mean.hidden_polygons = 1;
   summary.mean.frame_ms = summary.mean.frame_ms_view_frustum_only = summary.mean.frame_ms_visible_only = 1;
+  summary.mean.frame_processor_ms = summary.mean.frame_processor_ms_view_frustum_only = 1;
+  summary.load = 1e6;  // so that it says that the machine was busy
   summary.culled_share_of_hidden = summary.speedup = summary.limit_by_polygons = summary.limit_by_visible = 1;
   summary.wrong_pixels = summary.snapped_pixels = summary.false_culls = 0;
   summary.options.hold = 2;
@@ -93,6 +98,48 @@ TEST(WalkComparison, RefusesAValueOfAnotherType) {
     }
   }
   EXPECT_GT(members, 50U);
+}
+
+/// Two walks of which B took so many times as long as A to draw the view frustum alone, to cull, and in all; and so many
+/// times as much of the processor for the first and the second.
+WalkComparison compared(double control, double culling, double frames, double processor_control = 1, double processor = 1) {
+  Summary summary;
+  const auto reading = [&](const char* label, double without, double cull_ms, double frame_ms, double without_processor_ms,
+                           double cull_processor_ms) {
+    summary.mean.frame_processor_ms_view_frustum_only = without_processor_ms;
+    summary.mean.cull_processor_ms = cull_processor_ms;
+    summary.mean.frame_ms_view_frustum_only = without;
+    summary.mean.cull_ms = cull_ms;
+    summary.mean.frame_ms = frame_ms;
+    summary.speedup = without / frame_ms;
+    std::string csv = "frame,view_frustum_frame_ms,cull_ms,frame_ms,view_frustum_frame_processor_ms,cull_processor_ms\n";
+    for (int i = 0; i < 20; ++i)
+      csv += fmt::format("{},{},{},{},{},{}\n", i, without, cull_ms, frame_ms, without_processor_ms, cull_processor_ms);
+    std::ofstream(file.path) << csv;
+    return WalkReading{label, label, json_of(summary), {}, FrameTable(file.path)};
+  };
+  const WalkReading a = reading("a", 10, 2, 8, 10, 2);
+  return compare_walks(a, reading("b", 10 * control, 2 * culling, 8 * frames, 10 * processor_control, 2 * processor));
+}
+
+TEST(WalkComparison, TimesOfAMachineOfAnotherPaceAreNotJudged) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(compared(1.09, 1.5, 1).worse(), (Names{"mean.cull_ms"}));
+  for (const double control : {1.11, 0.9}) {
+    const WalkComparison comparison = compared(control, 1.5, control);
+    EXPECT_FALSE(is_same_pace(comparison.control));
+    EXPECT_NEAR(comparison.control.value_or(0), control, 1e-12);
+    EXPECT_EQ(comparison.worse(), Names{}) << control;
+    EXPECT_NE(text_of(comparison).find("warning: Times by the clock cannot be compared"), std::string::npos);
+    EXPECT_EQ(json_of(comparison)["warnings"].size(), 1U);
+  }
+  // Those of the processor have a control of their own.
+  EXPECT_EQ(compared(1.2, 1.5, 1.2, 1.05, 1.5).worse(), (Names{"mean.cull_processor_ms"}));
+  EXPECT_EQ(compared(1, 1.5, 1, 1.2, 1.5).worse(), (Names{"mean.cull_ms"}));
+  EXPECT_NE(text_of(compared(1, 1, 1, 1.2)).find("took 1.20 times as much in B"), std::string::npos);
+  // The speedup is a ratio of times of one walk.
+  EXPECT_EQ(compared(1.2, 1, 1.5).worse(), (Names{"speedup"}));
+  EXPECT_EQ(text_of(compared(1, 1, 1)).find("warning"), std::string::npos);
 }
 
 TEST(WalkComparison, TakesAWalkThatDoesNotHold) {

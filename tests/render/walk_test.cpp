@@ -172,7 +172,7 @@ std::string page_of(const Summary& summary, const WalkResult& result) {
   WalkRecording recording(culler);
   const culler::CullResult culled = culler.cull(culler::Camera{});
   recording.add_frame({result.frames[0], culler::Camera{}, culled, {}, nullptr, nullptr});
-  return walk_page(summary, {result.frames, result.regions, result.missed, recording, {}, "occlude walk 'a<b.ply'", "{}"});
+  return walk_page(summary, {{{{&summary.options, &result}, &recording}}, {}, "occlude walk 'a<b.ply'", "{}"});
 }
 
 TEST(Summary, TextAndPageShowItsFigures) {
@@ -294,8 +294,33 @@ TEST(Summary, TellsOfRegionsThatHold) {
             std::string::npos)
       << text_of(summary);
   const std::string csv = frames_csv(result);
-  EXPECT_NE(csv.find("occlusion_first,region\n"), std::string::npos);
-  EXPECT_NE(csv.find(",2\n"), std::string::npos);
+  EXPECT_NE(csv.find(",region,cull_processor_ms,frame_processor_ms,view_frustum_frame_processor_ms\n"), std::string::npos);
+  EXPECT_NE(csv.find(",2,0.0000,0.0000,0.0000\n"), std::string::npos);
+}
+
+TEST(Summary, SaysThatTheMachineWasBusy) {
+  FrameRecord record = some_frame();
+  record.cull_ms = 2.1;
+  record.cull_processor_ms = 2;
+  WalkResult result = one_frame(record);
+  result.load = 0.5;
+  const auto busy = [&] {
+    const Summary summary = summarise(result, {}, "model.ply");
+    const auto note = json_of(summary)["busy"];
+    EXPECT_EQ(note.is_null(), text_of(summary).find("busy") == std::string::npos) << text_of(summary);
+    EXPECT_EQ(note.is_null(), page_of(summary, result).find("The machine was busy") == std::string::npos);
+    return note.is_null() ? std::string() : note.get<std::string>();
+  };
+  EXPECT_EQ(busy(), "");
+  result.frames[0].cull_ms = 3;
+  EXPECT_EQ(
+      busy(),
+      "The machine was busy: culls by automatic took 1.50 times their processor time. Times by the clock are too long; "
+      "those of the processor are nearer to the truth.");
+  result.frames[0].cull_ms = 2;
+  result.load = 1e6;
+  EXPECT_TRUE(busy().starts_with("The machine was busy: 1000000.0 processes wanted to run on its ")) << busy();
+  EXPECT_EQ(json_of(summarise(result, {}, "model.ply"))["mean"]["cull_processor_ms"], 2);
 }
 
 TEST(Methods, TheOthersHaveLeavesOfTheirOwn) {

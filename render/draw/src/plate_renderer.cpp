@@ -92,11 +92,12 @@ struct PlateRenderer::Impl {
 /// What a camera sees, once for each of kOffsets.
 class PlateRenderer::Impl::Samples {
  public:
-  Samples(Impl& impl, const culler::Camera& camera, std::span<const culler::PolygonRange> ranges)
+  Samples(Impl& impl, const culler::Camera& camera, std::span<const culler::PolygonRange> ranges,
+          const std::optional<Cut>& cut)
       : rays_(camera, impl.width, impl.height) {
     pictures_.reserve(kOffsets.size());
     for (std::size_t i = 0; i < kOffsets.size(); ++i) {
-      items_[i] = impl.renderer.item_buffer(camera, ranges, kOffsets[i]);
+      items_[i] = impl.renderer.item_buffer(camera, ranges, kOffsets[i], cut);
       pictures_.emplace_back(items_[i], kOffsets[i], rays_, impl.soup, impl.normals);
     }
   }
@@ -190,11 +191,11 @@ Image PlateRenderer::draw(const culler::Camera& camera, std::span<const PlateLay
   impl_->set_styles(layers);
   std::vector<culler::PolygonRange> ranges;
   for (const PlateLayer& layer : layers) ranges.insert(ranges.end(), layer.ranges.begin(), layer.ranges.end());
-  const Impl::Samples seen(*impl_, camera, ranges);
+  const Impl::Samples seen(*impl_, camera, ranges, extras.cut);
   const SeenSurface& first = seen.pictures().front();
   if (extras.casters) ranges = {*extras.casters};
   std::optional<Impl::Samples> from_sun;
-  if (const auto sun = sun_camera(first, impl_->soup, camera.aspect)) from_sun.emplace(*impl_, *sun, ranges);
+  if (const auto sun = sun_camera(first, impl_->soup, camera.aspect)) from_sun.emplace(*impl_, *sun, ranges, extras.cut);
   Image image = impl_->shaded(seen, {from_sun ? &*from_sun : nullptr, kClear * impl_->renderer.haze_depth(camera)});
   draw_lines(image, first, camera.near_plane, extras.lines);
   draw_legend(image, extras.legend);

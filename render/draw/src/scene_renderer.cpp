@@ -25,8 +25,11 @@ constexpr Rgba kSky = {196, 216, 234, 255};
 // on both axes. Nothing is then drawn nearer than it is.
 constexpr float kDepthSlope = -1.0F / 256;  // of the reversed depth
 
+constexpr const char* kVersion = "#version 450 core\n";
+constexpr const char* kIsCut = "#define IS_CUT\n";
+
 // Shared by pictures and item buffers: the same text and `invariant` give both the same geometry.
-constexpr const char* kVertexShader = R"(#version 450 core
+constexpr const char* kVertexShader = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in uint polygon;
 uniform vec3 eye_high, eye_low;  // their sum is the eye, in more than float precision
@@ -34,9 +37,16 @@ uniform mat4 clip_from_eye_relative;
 invariant gl_Position;
 flat out vec3 surface;
 flat out uint item_of_polygon;
+#ifdef IS_CUT
+uniform vec3 cut_up;
+uniform float cut_height;  // above the eye
+#endif
 void main() {
   precise vec3 relative = (position - eye_high) - eye_low;
   gl_Position = clip_from_eye_relative * vec4(relative, 1);
+#ifdef IS_CUT
+  gl_ClipDistance[0] = cut_height - dot(cut_up, relative);
+#endif
   // Neighbours have unlike colours, so that a polygon too few or too many shows. The factor is odd: the lowest 24 bits of
   // 2^24 polygons in a row all differ.
   surface = unpackUnorm4x8(polygon * 0x9E3779B9u).rgb;
@@ -107,16 +117,40 @@ class DepthsKept {
   DepthsKept& operator=(const DepthsKept&) = delete;
 };
 
+/// While one lives, what is cut is not drawn.
+class Clipped {
+ public:
+  explicit Clipped(bool is_cut) : is_cut_(is_cut) {
+    if (is_cut_) gl.Enable(GL_CLIP_DISTANCE0);
+  }
+  ~Clipped() {
+    if (is_cut_) gl.Disable(GL_CLIP_DISTANCE0);
+  }
+  Clipped(const Clipped&) = delete;
+  Clipped& operator=(const Clipped&) = delete;
+
+ private:
+  bool is_cut_;
+};
+
 enum class Kind { opaque, see_through };
 
 }  // namespace
 
 struct SceneRenderer::Impl {
+  /// For item buffers.
+  struct ItemPrograms {
+    explicit ItemPrograms(const std::string& vertex_shader)
+        : items(vertex_shader.c_str(), kItemShader), counter(vertex_shader.c_str(), kCountShader) {}
+
+    GlProgram items, counter;
+  };
+
   Impl(culler::SoupView soup, const TriangleList& list, int width, int height)
       : target(width, height),
-        picture(kVertexShader, kPictureShader),
-        items(kVertexShader, kItemShader),
-        counter(kVertexShader, kCountShader),
+        picture((std::string(kVersion) + kVertexShader).c_str(), kPictureShader),
+        whole(std::string(kVersion) + kVertexShader),
+        cut_open(std::string(kVersion) + kIsCut + kVertexShader),
         pixels(soup.size()),
         extent(list.extent),
         centre(list.centre),
@@ -131,11 +165,14 @@ struct SceneRenderer::Impl {
   void begin_polygons(const GlProgram& program, const culler::Camera& camera, const glm::dvec2& shift) const;
   void draw_polygons(std::span<const PolygonRange> ranges, Kind kind) const;
   void blend_polygons(std::span<const PolygonRange> ranges) const;
+  void begin_items(const GlProgram& program, const culler::Camera& camera, const glm::dvec2& shift,
+                   const std::optional<Cut>& cut) const;
   void add_see_through(ItemBuffer& result, const culler::Camera& camera, std::span<const PolygonRange> ranges,
-                       const glm::dvec2& shift);
+                       const glm::dvec2& shift, const std::optional<Cut>& cut);
 
   FrameBuffer target;
-  GlProgram picture, items, counter;
+  GlProgram picture;
+  ItemPrograms whole, cut_open;
   PixelCounter pixels;
   CornerBuffer corners;
   Extent extent;
@@ -152,6 +189,14 @@ void SceneRenderer::Impl::begin_polygons(const GlProgram& program, const culler:
   set_eye(program, camera.eye - centre);
   corners.bind();
   gl.DepthFunc(GL_GREATER);
+}
+
+void SceneRenderer::Impl::begin_items(const GlProgram& program, const culler::Camera& camera, const glm::dvec2& shift,
+                                      const std::optional<Cut>& cut) const {
+  begin_polygons(program, camera, shift);
+  if (!cut) return;
+  program.set("cut_up", glm::vec3(cut->up));
+  program.set("cut_height", static_cast<float>(cut->height - glm::dot(cut->up, camera.eye)));
 }
 
 /// Draws those of a kind.
@@ -188,17 +233,19 @@ void SceneRenderer::Impl::blend_polygons(std::span<const PolygonRange> ranges) c
 
 /// The opaque ones have been drawn.
 void SceneRenderer::Impl::add_see_through(ItemBuffer& result, const culler::Camera& camera,
-                                          std::span<const PolygonRange> ranges, const glm::dvec2& shift) {
+                                          std::span<const PolygonRange> ranges, const glm::dvec2& shift,
+                                          const std::optional<Cut>& cut) {
+  const ItemPrograms& programs = cut ? cut_open : whole;
   target.begin_nothing();
   pixels.begin();
-  begin_polygons(counter, camera, shift);
+  begin_items(programs.counter, camera, shift, cut);
   {
     const DepthsKept kept;
     draw_polygons(ranges, Kind::see_through);
   }
   result.see_through = pixels.counts();
   target.begin_items_before();
-  begin_polygons(items, camera, shift);
+  begin_items(programs.items, camera, shift, cut);
   draw_polygons(ranges, Kind::see_through);
   result.before = target.items();
 }
@@ -230,13 +277,14 @@ void SceneRenderer::draw(const culler::Camera& camera, std::span<const PolygonRa
 Image SceneRenderer::image() const { return impl_->target.image(); }
 
 ItemBuffer SceneRenderer::item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges,
-                                      const glm::dvec2& offset) {
+                                      const glm::dvec2& offset, const std::optional<Cut>& cut) {
   const glm::dvec2 shift = 2.0 * offset / glm::dvec2(impl_->target.width(), impl_->target.height());
+  const Clipped clipped(cut.has_value());
   impl_->target.begin_items();
-  impl_->begin_polygons(impl_->items, camera, shift);
+  impl_->begin_items((cut ? impl_->cut_open : impl_->whole).items, camera, shift, cut);
   impl_->draw_polygons(ranges, Kind::opaque);
   ItemBuffer result{impl_->target.items(), {}, {}};
-  if (!impl_->see_through.empty()) impl_->add_see_through(result, camera, ranges, shift);
+  if (!impl_->see_through.empty()) impl_->add_see_through(result, camera, ranges, shift, cut);
   return result;
 }
 

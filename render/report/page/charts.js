@@ -29,11 +29,13 @@ class Charts {
   }
 
   /**
-   * A chart in `place`, an element. `series` has {name, colour, values} each; values are of the frames whose numbers `frames`
-   * has. `stacked`: areas, the last one lowest.
+   * A chart in `place`, an element, in place of the one before. `series` has {name, colour, pattern, values} each; a pattern is one of
+   * dashes, if there is one; values are of the frames whose numbers `frames`
+   * has. `stacked`: areas, the last one lowest. `hiddenAtFirst`, and a box with `data-series`, has how names end.
    */
   add(place, frames, series, {unit, stacked = false, hiddenAtFirst = []}) {
     const legend = place.querySelector('.legend'), drawing = place.querySelector('.drawing');
+    this.remove(drawing);
     const rows = frames.map((frame, i) => [frame, ...series.map(s => s.values[i])]);
     const line = document.createElement('div');
     line.className = 'cursor';
@@ -42,7 +44,8 @@ class Charts {
       logscale: isLog,
       labels: ['frame', ...series.map(s => s.name)],
       colors: series.map(s => s.colour),
-      visibility: series.map(s => !hiddenAtFirst.includes(s.name)),
+      series: Object.fromEntries(series.map(s => [s.name, {strokePattern: s.pattern ?? null}])),
+      visibility: series.map(s => !hiddenAtFirst.some(end => s.name.endsWith(end))),
       stackedGraph: stacked,
       fillAlpha: 0.85,
       strokeWidth: stacked ? 0.5 : 1.3,
@@ -62,37 +65,51 @@ class Charts {
         this.placeCursor(self, line);
         if (!isFirst) this.follow(self);
       },
-      highlightCallback: (event, x, points, row) => this.write(legend, series, row, unit),
-      unhighlightCallback: () => this.write(legend, series, this.cursor, unit),
+      highlightCallback: (event, x, points, row) => this.write(chart, row),
+      unhighlightCallback: () => this.write(chart, this.cursor),
       clickCallback: (event, x) => this.onFrame(nearestIndex(frames, x)),
     });
     place.querySelectorAll('input[data-series]').forEach(box => {
-      const index = series.findIndex(s => s.name === box.dataset.series);
+      const indices = [...series.keys()].filter(i => series[i].name.endsWith(box.dataset.series));
       box.checked = !hiddenAtFirst.includes(box.dataset.series);
-      box.addEventListener('change', () => chart.setVisibility(index, box.checked));
+      box.onchange = () => {
+        chart.setVisibility(Object.fromEntries(indices.map(i => [i, box.checked])));
+        this.setCursor(this.cursor);
+      };
     });
-    place.querySelector('.unzoom')?.addEventListener('click', () => chart.resetZoom());
-    this.charts.push({chart, line, legend, series, unit, frames});
+    place.querySelector('.unzoom').onclick = () => chart.resetZoom();
+    this.charts.push({chart, line, legend, series, unit, frames, drawing});
+  }
+
+  remove(drawing) {
+    const at = this.charts.findIndex(e => e.drawing === drawing);
+    if (at >= 0) this.charts.splice(at, 1)[0].chart.destroy();
   }
 
   setCursor(index) {
     this.cursor = index;
-    for (const {chart, line, legend, series, unit} of this.charts) {
+    for (const {chart, line} of this.charts) {
       this.placeCursor(chart, line);
-      this.write(legend, series, index, unit);
+      this.write(chart, index);
     }
   }
 
+  entryOf(chart) {
+    return this.charts.find(e => e.chart === chart);
+  }
+
   placeCursor(chart, line) {
-    const entry = this.charts.find(e => e.chart === chart);
+    const entry = this.entryOf(chart);
     if (!entry) return;
     const x = chart.toDomXCoord(entry.frames[this.cursor]), area = chart.getArea();
     line.hidden = x < area.x || x > area.x + area.w;
     line.style.cssText = `left:${x}px;top:${area.y}px;height:${area.h}px`;
   }
 
-  write(legend, series, row, unit) {
-    legend.replaceChildren(...series.map(s => {
+  /** The values of a row of what the chart shows. */
+  write(chart, row) {
+    const {legend, series, unit} = this.entryOf(chart);
+    legend.replaceChildren(...series.filter((_, i) => chart.visibility()[i]).map(s => {
       const item = document.createElement('span');
       item.className = 'item';
       item.style.setProperty('--swatch', s.colour);

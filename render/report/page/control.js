@@ -29,6 +29,7 @@ class OrbitControl {
     if (!isOutside) return false;
     orbit.isFollowing = false;
     action(orbit);
+    this.viewer.seeSoon();
     this.viewer.invalidate();
     return true;
   }

@@ -14,20 +14,18 @@ function colourOfShare(share) {
 const kMarksApart = 7;
 
 class PathMap {
-  /** `eyes` are points, `shares` numbers from 0 to 1, `regions` have centre and halfEdges. Calls onFrame with the index of the frame that is clicked. */
-  constructor(canvas, viewer, eyes, targets, shares, regions, onFrame) {
+  /** `eyes` and `targets` are points. Calls onFrame with the index of the frame that is clicked. */
+  constructor(canvas, viewer, eyes, targets, onFrame) {
     this.canvas = canvas;
     this.axes = levelAxes(viewer.lens.up);
     this.eyes = eyes;
     this.targets = targets;
-    this.regions = regions;
     const flat = eyes.map(eye => this.flat(eye));
     const low = [0, 1].map(i => Math.min(...flat.map(p => p[i]))), high = [0, 1].map(i => Math.max(...flat.map(p => p[i])));
     this.middle = [0, 1].map(i => (low[i] + high[i]) / 2);
     const spans = [0, 1].map(i => Math.max(high[i] - low[i], viewer.size / 200));
     this.scale = 512 / (1.25 * Math.max(spans[0], 0.6 * spans[1]));  // pixels of the map a unit
     this.pixels = [512, Math.round(1.25 * this.scale * Math.max(spans[1], 0.6 * spans[0]))];
-    this.ground = this.drawGround(viewer, shares);
     canvas.addEventListener('click', event => {
       const box = canvas.getBoundingClientRect();
       const at = [event.clientX - box.left, event.clientY - box.top].map(c => c * this.pixels[0] / box.width);
@@ -43,6 +41,12 @@ class PathMap {
   place(point) {
     const [x, y] = this.flat(point);
     return [this.pixels[0] / 2 + (x - this.middle[0]) * this.scale, this.pixels[1] / 2 - (y - this.middle[1]) * this.scale];
+  }
+
+  /** `shares` are numbers from 0 to 1, `regions` have centre and halfEdges. */
+  show(viewer, shares, regions) {
+    this.regions = regions;
+    this.ground = this.drawGround(viewer, shares);
   }
 
   drawGround(viewer, shares) {

@@ -23,6 +23,10 @@ class Arrays {
     else gl.vertexAttribPointer(place, size, type, false, 0, 0);
     gl.vertexAttribDivisor(place, everyInstance);
   }
+  dispose() {
+    for (const buffer of this.buffers.values()) this.gl.deleteBuffer(buffer);
+    this.gl.deleteVertexArray(this.array);
+  }
 }
 
 /** A texture with one whole number a texel, always bound to the same unit. */
@@ -31,7 +35,8 @@ class NumberTexture {
     Object.assign(this, {gl, unit, type, wide, rows: Math.ceil(numbers.length / wide)});
     this.texels = new numbers.constructor(this.rows * wide);
     gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    this.texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     gl.texStorage2D(gl.TEXTURE_2D, 1, format, wide, this.rows);
@@ -47,11 +52,16 @@ class NumberTexture {
 
 /** The polygons of a model, each in the colour of its fate. */
 class ModelPainter {
-  constructor(gl, model) {
+  constructor(gl) {
     this.gl = gl;
-    this.model = model;
     this.colours = link(gl, kModelVertices, kModelColours);
     this.numbers = link(gl, kModelVertices, kModelNumbers);
+  }
+  setModel(model) {
+    const {gl} = this;
+    this.model = model;
+    this.arrays?.dispose();
+    for (const {texture} of [this.fates, this.marks].filter(known => known)) gl.deleteTexture(texture);
     this.arrays = new Arrays(gl);
     this.arrays.set(0, model.corners, 3, {type: gl.INT, isWhole: true});
     this.arrays.set(1, model.cornerLeaves, 1, {type: gl.UNSIGNED_INT, isWhole: true});

@@ -31,24 +31,15 @@ void main() {
   gl_Position = isShown ? projection * vec4(place, 1) : vec4(0, 0, 2, 1);
 }`;
 
-const kModelInputs = `#version 300 es
-precision highp float;
-precision highp int;
-precision highp usampler2D;
-uniform vec3 up;
-uniform float ceiling;  // what is higher is cut off
-uniform float near;
+const kInputs = `${kModelInputs}
 flat in uint fate;
-flat in uint triangle;
-flat in uint seeThrough;
-in vec3 place;${kSeeThrough}
-bool isLeftOut() { return dot(place, up) > ceiling || seeThrough == 1u && isBetween(); }`;
+flat in uint seeThrough;`;
 
 /**
  * Colours: of what is drawn by the slope of the surface, plain, and dotted if it is hidden; of what is culled by its hider,
  * hatched; of what is out of view pale. Fates and hiders differ in lightness and pattern as well, for colour-blind readers.
  */
-const kModelColours = `${kModelInputs}${kLight}
+const kModelColours = `${kInputs}${kLight}
 uniform vec3 pale, cover;
 uniform vec3 hiders[8];
 uniform vec3 missed;  // drawn, but hidden
@@ -88,7 +79,7 @@ bool isDotted() {
 vec3 patterned(vec3 base) { return mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.5 ? 1 : 0), 0.45); }
 
 void main() {
-  if (isLeftOut()) discard;
+  if (isLeftOut(seeThrough == 1u)) discard;
   vec3 normal = normalAt(place, up), base;
   uint marked = mark();
   bool isPlain = false;  // so plain that light may change it much
@@ -108,12 +99,11 @@ void main() {
   ${kDepth}
 }`;
 
-/** The number of the triangle at each pixel, from 1. */
-const kModelNumbers = `${kModelInputs}
-out uint number;
+const kModelNumbers = `${kInputs}
+out vec4 number;
 void main() {
-  if (isLeftOut()) discard;
-  number = triangle + 1u;
+  if (isLeftOut(seeThrough == 1u)) discard;
+  number = numberInBytes();
   ${kDepth}
 }`;
 

@@ -84,7 +84,7 @@ class Model {
   }
   /** A point of the grid in the model's own coordinates. */
   point(corner) {
-    return corner.map((c, axis) => this.low[axis] + this.step * c);
+    return [0, 1, 2].map(axis => this.low[axis] + this.step * corner[axis]);
   }
   /** The first corner of a polygon. */
   cornerOf(polygon) {

@@ -23,8 +23,10 @@ const kMagnified = 16;
 /** How far shadows are drawn beyond their occluders, in depths of the interesting part of the frame. */
 const kShadowReach = 1.5;
 
-/** From outside the model is cut off so much above the camera, in the same depths: rooms open. */
+/** From outside the model is cut off so much above the camera at most, in the same depths: rooms open. */
 const kCut = 0.25;
+/** Milliseconds after which what takes time is found out of a frame that stays. */
+const kRest = 150;
 
 /** The twelve edges of a box that is given by its centre and half-edges. */
 function edgesOf({centre, halfEdges}) {
@@ -35,27 +37,32 @@ function edgesOf({centre, halfEdges}) {
 
 class Viewer {
   /** Throws where there is no WebGL2. `lens` has what all cameras of a path share, `size` the pixels of their pictures. */
-  constructor(canvas, model, lens, size) {
+  constructor(canvas, lens, size) {
     this.pixels = size;
     this.canvas = canvas;
-    this.model = model;
     this.lens = lens;
     this.gl = contextOf(canvas);
     if (!this.gl) throw new Error('this browser has no WebGL2.');
-    this.models = new ModelPainter(this.gl, model);
+    this.models = new ModelPainter(this.gl);
     this.targets = new Targets(this.gl);
     this.screen = new Screen(this.gl);
     this.lines = new Lines(this.gl);
     this.faces = new FacePainter(this.gl);
     this.boxes = new BoxPainter(this.gl);
-    this.high = model.point(model.steps);
-    this.size = distance(model.low, this.high);
     this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true, region: true, cut: true, boxes: false, vain: false};
     this.isOutside = true;
-    this.picked = null;
     canvas.style.setProperty('--aspect', lens.aspect);
     this.orbit = new Orbit();
     new ResizeObserver(() => this.invalidate()).observe(canvas);
+  }
+
+  /** In place of the one before. A frame comes before the next picture. */
+  setModel(model) {
+    this.model = model;
+    this.models.setModel(model);
+    this.high = model.point(model.steps);
+    this.size = distance(model.low, this.high);
+    this.picked = null;
   }
 
   /** A frame of Frames, its eye and target, the region that holds for it, if any does, and its up, if that is not the one of the path. */
@@ -71,21 +78,29 @@ class Viewer {
     this.models.fates.set(frame.fates);
     if (this.orbit.isFollowing) this.goBehind();
     this.isSeenKnown = false;
-    clearTimeout(this.seeing);
-    this.seeing = setTimeout(() => this.see(), 150);  // once the frame stays
+    if (!before) this.openAbove();
+    this.seeSoon();
     this.invalidate();
   }
 
-  /** Finds which of the drawn polygons the camera sees, in a picture of the walk's size. */
+  /** Once frame and camera stay. */
+  seeSoon() {
+    clearTimeout(this.seeing);
+    this.seeing = setTimeout(() => this.see(), kRest);
+  }
+
+  /** Finds where to open the model, and which of the drawn polygons the camera sees, in a picture of the walk's size. */
   see() {
-    if (!this.isOutside || !this.layers.missed || this.isSeenKnown) return;
+    if (!this.isOutside) return;
+    this.openAbove();
+    if (!this.layers.missed || this.isSeenKnown) return;
     const [width, height] = this.pixels, {firstTriangle} = this.model;
     const numbers = this.numbersIn(this.camera, {drawn: true}, width, height);
     const seen = new Uint8Array(this.model.triangles);
     let last = 0;
-    for (let i = 0; i < numbers.length; i += 4) {
-      if (numbers[i] === last || numbers[i] === 0) continue;
-      last = numbers[i];
+    for (const number of numbers) {
+      if (number === last || number === 0) continue;
+      last = number;
       if (seen[last - 1]) continue;
       const polygon = this.model.polygonOf(last - 1);
       seen.fill(1, firstTriangle[polygon], firstTriangle[polygon + 1]);
@@ -115,7 +130,7 @@ class Viewer {
     const {up, north} = levelAxes(this.lens.up);
     const eye = add(middle, scale(up, this.size));
     this.models.fates.set(new Uint16Array(this.model.leaves));
-    this.begin(target, background);
+    this.targets.begin(target, background);
     this.paintModel({projection: 'orthographic', height: size[1], aspect: size[0] / size[1], near: this.size / 100, far: 3 * this.size,
                      eye, target: middle, up: north}, {drawn: true});
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
@@ -175,22 +190,25 @@ class Viewer {
 
   /** The height above the eye of `camera` at which the model is cut off. */
   ceiling(camera, shown) {
-    const above = dot(unit(this.lens.up), subtract(this.camera.eye, camera.eye)) + kCut * this.depth;
+    const above = dot(unit(this.lens.up), subtract(this.camera.eye, camera.eye)) + Math.min(this.opening, kCut * this.depth);
     return {up: unit(this.lens.up), height: shown.cut ? above : 1e30};
   }
 
-  begin({buffer, width, height}, background) {
-    const gl = this.gl;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, buffer);
-    gl.viewport(0, 0, width, height);
-    gl.clearColor(...background, 1);
-    gl.clearDepth(0);
-    gl.depthMask(true);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.GREATER);
-    gl.disable(gl.BLEND);
-    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  /** So that one sees the camera from outside, the model is cut off below what stands between: at half its height above the camera. */
+  openAbove() {
+    const before = this.opening, {eye, near} = this.camera, outside = this.outside().eye, way = subtract(outside, eye);
+    const there = {projection: 'perspective', fov_y_deg: 1, aspect: 1, near, far: this.farthest(eye), eye, target: outside, up: this.lens.up};
+    const [number] = this.numbersIn(there, {...this.layers, cut: false}, 1, 1);
+    this.opening = number === 0 ? Infinity : this.shareOf(eye, way, number - 1) * dot(unit(this.lens.up), way) / 2;
+    if (!(this.opening > 0)) this.opening = Infinity;
+    if (this.opening !== before) this.invalidate();
+  }
+
+  /** Where a way meets the plane of a triangle: 1 at its end. */
+  shareOf(from, way, triangle) {
+    const [a, b, c] = [0, 3, 6].map(at => this.model.point(this.model.corners.subarray(9 * triangle + at, 9 * triangle + at + 3)));
+    const normal = cross(subtract(b, a), subtract(c, a)), share = dot(normal, subtract(a, from)) / dot(normal, way);
+    return share < 1 ? share : Infinity;
   }
 
   paintModel(camera, shown) {
@@ -212,7 +230,7 @@ class Viewer {
   paint(camera) {
     const gl = this.gl, isDark = matchMedia('(prefers-color-scheme: dark)').matches, {width, height} = this.canvas;
     const target = this.targets.of('colours', width, height);
-    this.begin(target, isDark ? haze.dark : haze.light);  // edges before the sky are mixed with that
+    this.targets.begin(target, isDark ? haze.dark : haze.light);  // edges before the sky are mixed with that
     this.paintModel(camera, this.shown());
     gl.depthFunc(gl.GEQUAL);
     if (this.layers.occluders) {
@@ -220,6 +238,7 @@ class Viewer {
     }
     if (this.picked !== null) this.models.drawPolygons([this.picked], rgb(kPickedColour), 0.85);
     gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
     if (this.isOutside && this.layers.shadows) this.faces.draw(this.shadowFaces(), camera);
     const ratio = this.canvas.width / this.canvas.clientWidth;
@@ -292,37 +311,11 @@ class Viewer {
     return boxes;
   }
 
-  /** The numbers of the triangles in a picture, from 1; four for each pixel, of which the first counts. */
+  /** The numbers of the triangles in a picture, from 1. */
   numbersIn(camera, shown, width, height) {
-    const gl = this.gl;
-    this.fitNumbers(width, height);
-    gl.viewport(0, 0, width, height);
-    gl.depthMask(true);
-    gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
-    gl.clearBufferfv(gl.DEPTH, 0, [0]);
-    gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.GREATER);
-    gl.disable(gl.BLEND);
+    this.targets.begin(this.targets.of('numbers', width, height));
     this.models.use(this.models.numbers, camera, shown, this.ceiling(camera, shown));
     this.models.drawAll();
-    const numbers = new Uint32Array(4 * width * height);
-    gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, numbers);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    return numbers;
-  }
-
-  /** Binds a picture of triangle numbers of this size. */
-  fitNumbers(width, height) {
-    const gl = this.gl;
-    this.numbers ??= {frame: gl.createFramebuffer(), colour: gl.createRenderbuffer(), depth: gl.createRenderbuffer()};
-    const {frame, colour, depth} = this.numbers;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    if (this.numbers.width === width && this.numbers.height === height) return;
-    Object.assign(this.numbers, {width, height});
-    for (const [buffer, format, place] of [[colour, gl.R32UI, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT32F, gl.DEPTH_ATTACHMENT]]) {
-      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-      gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
-    }
+    return readNumbers(this.gl, 0, 0, width, height);
   }
 }

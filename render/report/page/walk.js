@@ -2,90 +2,161 @@
 // The page of a walk: one frame cursor, which the charts, the map, the tables and the viewer share.
 
 const byId = id => document.getElementById(id);
-const kColours = {before: '#8a94a3', after: '#2f7fe0', culling: '#d9822b', visible: '#0f8291', culled: '#6f57b5', outOfView: '#c5ccd6'};
+const kColours = {before: '#8a94a3', visible: '#0f8291', culled: '#6f57b5', outOfView: '#c5ccd6'};
+/** Of the frames of each method, and of its culls alone. */
+const kMethodColours = [['#2f7fe0', '#d9822b'], ['#b3261e', '#e79a96'], ['#5b2a86', '#b9a6e8']];
+/** Options of a walk by several methods that only the first of them takes. */
+const kOfFirst = / --(hold|occluders|probes|weight-[a-z-]+|near|solid-angle|test)[ =]\S+| --unions(?= |$)/g;
+/** Of times of the processor. */
+const kDots = [2, 4];
+/** What the page calls the culls of a kind, and what did them. */
+const kWords = {frusta: {hidden: 'culled by shadow', hiders: 'What each occluder hid'},
+                cover: {hidden: 'culled by cover', hiders: 'What each piece of the covers hid'}};
 
 const kFramesASecond = 30;
 
 /** Of what was drawn in vain, by the reason: neighbours in the stack differ in lightness. */
 const kReasonColours = ['#f9cbb0', '#b8461a', '#f2a177', '#7d2b0c', '#e8743b', '#4a1a08', '#c9bfb9'];
 
+const line = (name, colour, values) => ({name, colour, values});
+
 /** Points from one list of coordinates. */
 const points = list => Array.from({length: list.length / 3}, (_, i) => list.slice(3 * i, 3 * i + 3));
 
 class WalkPage {
-  constructor({walk, columns}) {
-    this.walk = walk;
-    this.columns = columns;
-    this.count = columns.frame.length;
+  /** Walks of the same frames, each by its own method. */
+  constructor(walks) {
+    this.walks = walks;
+    this.method = 0;
+    this.count = this.columns.frame.length;
     this.index = 0;
     this.charts = new Charts(index => this.setIndex(index));
+    this.fillMethods();
     this.fillTables();
     this.listen();
     this.first = this.indexOfHidingMost();
     this.setIndex(this.indexOfAddress() ?? this.first);
   }
 
+  /** Of the method that is shown. */
+  get walk() {
+    return this.walks[this.method].walk;
+  }
+  get columns() {
+    return this.walks[this.method].columns;
+  }
+
+  /** Shows the walk by another method. */
+  async setMethod(method) {
+    this.wanted = method;
+    const scene = await sceneOf(method);
+    if (this.wanted !== method) return;  // another one was chosen meanwhile
+    this.method = method;
+    this.fillTables();
+    this.showScene(scene);
+    this.fillFates();
+    this.setIndex(this.index);
+    this.colourMap();
+  }
+
+  /** One chooses a method among the figures that all have in the frame. */
+  fillMethods() {
+    byId('methodOfView').hidden = this.walks.length === 1;
+    this.counts = this.walks.map(({walk}, method) => {
+      const choice = element('input', {type: 'radio', name: 'method'}), count = element('b', {}), swatch = element('i', {class: 'swatch'});
+      choice.checked = method === 0;
+      choice.addEventListener('change', () => this.setMethod(method));
+      swatch.style.setProperty('--swatch', kMethodColours[method][0]);
+      byId('methodOfView').append(element('label', {}, choice, swatch, walk.name, count));
+      return count;
+    });
+  }
+  tellMethods(i) {
+    this.walks.forEach(({columns}, method) => this.counts[method].textContent = `${grouped(columns.drawn[i])} · ${inMs(columns.cull_ms[i])} ms`);
+  }
+
   /** Takes as long as unpacking the model, and comes after the first picture. */
   fillCharts() {
-    const c = this.columns, frames = c.frame;
-    const line = (name, colour, values) => ({name, colour, values});
-    const times = [line('culling alone', kColours.culling, c.cull_ms)];
-    if (this.walk.rendered) {
-      times.unshift(line('view-frustum culling', kColours.before, c.view_frustum_frame_ms), line('with occlusion culling', kColours.after, c.frame_ms));
-    }
-    this.charts.add(byId('times'), frames, times, {unit: 'ms'});
-    const polygons = [line('view-frustum culling', kColours.before, c.in_view), line('with occlusion culling', kColours.after, c.drawn)];
+    const c = this.columns, isOne = this.walks.length === 1;
+    const timed = (name, colour, of, member) => [line(name, colour, of[`${member}_ms`]),
+                                                 {...line(`${name}, processor time`, colour, of[`${member}_processor_ms`]), pattern: kDots}];
+    const nameOf = walk => isOne ? 'with occlusion culling' : walk.name;
+    const times = this.walks.flatMap(({walk, columns}, method) => {
+      const [ofFrames, ofCulls] = kMethodColours[method];
+      return [...walk.rendered ? timed(nameOf(walk), ofFrames, columns, 'frame') : [],
+              ...timed(isOne ? 'culling alone' : `${walk.name}: culling alone`, ofCulls, columns, 'cull')];
+    });
+    if (this.walk.rendered) times.unshift(...timed('view-frustum culling', kColours.before, c, 'view_frustum_frame'));
+    this.charts.add(byId('times'), c.frame, times, {unit: 'ms', hiddenAtFirst: ['processor time']});
+    const polygons = [line('view-frustum culling', kColours.before, c.in_view),
+                      ...this.walks.map(({walk, columns}, method) => line(nameOf(walk), kMethodColours[method][0], columns.drawn))];
     if (this.walk.rendered) polygons.push(line('visible', kColours.visible, c.visible));
-    this.charts.add(byId('polygons'), frames, polygons, {unit: 'polygons'});
+    this.charts.add(byId('polygons'), c.frame, polygons, {unit: 'polygons'});
+    this.fillFates();
+  }
+
+  /** What became of all polygons, by the method that is shown. */
+  fillFates() {
+    const c = this.columns;
     const missed = Object.entries(this.walk.reasons).map(([name, text], i) => line(`hidden, but drawn: ${text}`, kReasonColours[i], c[name]));
     const drawn = this.walk.rendered ? [...missed, line('visible', kColours.visible, c.visible)] : [line('drawn', kColours.visible, c.drawn)];
     const outOfView = c.out_of_view.reduce((sum, n) => sum + n, 0) / (this.count * this.walk.polygons);
-    this.charts.add(byId('fates'), frames, [line('out of view', kColours.outOfView, c.out_of_view), line('culled by shadow or cover', kColours.culled, c.culled), ...drawn],
+    this.charts.add(byId('fates'), c.frame, [line('out of view', kColours.outOfView, c.out_of_view), line('culled by shadow or cover', kColours.culled, c.culled), ...drawn],
                     {unit: 'polygons', stacked: true, hiddenAtFirst: outOfView > 2 / 3 ? ['out of view'] : []});
     this.charts.setCursor(this.index);
   }
 
   fillTables() {
-    byId('worst').append(worstTable(this.walk, this.columns));
-    if (this.walk.regions.length > 0) byId('regions').append(...regionTables(this.walk, this.columns));
-    else for (const id of ['region', 'marks']) byId(id).remove();
+    const {regions, kind} = this.walk;
+    byId('worst').replaceChildren(worstTable(this.walk, this.columns));
+    byId('regionTables').replaceChildren(...regions.length > 0 ? regionTables(this.walk, this.columns) : []);
+    for (const id of ['region', 'marks']) byId(id).hidden = regions.length === 0;
+    byId('hiddenBy').textContent = kWords[kind].hidden;
+    byId('whatHid').textContent = kWords[kind].hiders;
+    byId('viewer').classList.toggle('cover', kind === 'cover');
   }
 
-  /** Once the model is unpacked. */
-  addScene(scene, path, model, frames, details) {
-    this.scene = scene;
-    this.model = model;
-    this.frames = frames;
-    this.details = details;
+  /** Once the model of the first method is unpacked. */
+  addScene(path, scene) {
     this.eyes = points(path.eyes);
     this.targets = points(path.targets);
     this.ups = path.ups && points(path.ups);
-    for (const outline of scene.outlines) {
-      outline.points = outline.corners.map(corner => model.point(corner));
-      outline.polygons = scene.occluders[outline.occluder].polygons;
-    }
-    byId('occluders').append(...(scene.pieces ? pieceTables(scene.pieces, model, this.columns.frame)
-                                              : occluderTables(scene.occluders, model, this.columns.frame)));
-    if (scene.drawn_frames > 0) byId('mostVain').textContent = grouped(model.mostVain);
-    else byId('vain').remove();
     try {
-      this.viewer = new Viewer(byId('picture'), model, scene.camera, this.walk.size);
+      this.viewer = new Viewer(byId('picture'), scene.scene.camera, this.walk.size);
     } catch (error) {
       showPictures(error.message);
-      return;
     }
+    this.showScene(scene);
+    if (!this.viewer) return;
     byId('picture').addEventListener('webglcontextlost', () => showPictures('the browser has given up the drawing; load the page again.'));
     byId('viewer').classList.add('ready');
     this.orbit = new OrbitControl(this.viewer, (x, y) => this.pick(x, y));
     this.setIndex(this.index);
   }
 
+  /** The model and the frames of a method. */
+  showScene({scene, model, frames, details}) {
+    Object.assign(this, {scene, model, frames, details});
+    for (const outline of scene.outlines) {
+      outline.points = outline.corners.map(corner => model.point(corner));
+      outline.polygons = scene.occluders[outline.occluder].polygons;
+    }
+    byId('occluderTables').replaceChildren(...(scene.pieces ? pieceTables(scene.pieces, model, this.columns.frame)
+                                                            : occluderTables(scene.occluders, model, this.columns.frame)));
+    byId('vain').hidden = scene.drawn_frames === 0;
+    byId('mostVain').textContent = grouped(model.mostVain);
+    this.viewer?.setModel(model);
+  }
+
   /** Draws the whole model once, so that the first picture comes before it. */
   addMap() {
     if (!this.viewer) return;
-    const shares = [...this.columns.frame.keys()].map(i => this.shareCulled(i));
-    this.map = new PathMap(byId('map'), this.viewer, this.eyes, this.targets, shares, this.walk.regions, index => this.setIndex(index));
-    this.setIndex(this.index);
+    this.map = new PathMap(byId('map'), this.viewer, this.eyes, this.targets, index => this.setIndex(index));
+    this.colourMap();
+  }
+  colourMap() {
+    this.map?.show(this.viewer, [...this.columns.frame.keys()].map(i => this.shareCulled(i)), this.walk.regions);
+    this.map?.setCursor(this.index, this.regionOf(this.index));
   }
 
   setIndex(index) {
@@ -98,6 +169,7 @@ class WalkPage {
     this.charts.setCursor(this.index);
     byId('told').textContent = this.account(this.index);
     this.tellCounts(this.index);
+    this.tellMethods(this.index);
     this.showFrame();
   }
 
@@ -214,7 +286,8 @@ class WalkPage {
   commandFor(polygon) {
     const options = byId('command').textContent.replace(/^occlude walk/, '')
         .replace(/ --(out|witness|cases)[ =](\\'|'[^']*'|[^\s'])+/g, '').replace(/ --(no-render|json)(?= |$)/g, '');
-    return `occlude why${options} --frame ${this.columns.frame[this.index]} --polygon ${this.model.numbers[polygon]}`;
+    const byMethod = this.method === 0 ? options : `${options.replace(kOfFirst, '')} --method ${this.walk.method}`;
+    return `occlude why${byMethod} --frame ${this.columns.frame[this.index]} --polygon ${this.model.numbers[polygon]}`;
   }
 
   /** What became of a polygon in this frame. */
@@ -314,6 +387,7 @@ class WalkPage {
     byId('outside').addEventListener('click', () => this.setOutside(true));
     byId('behind').addEventListener('click', () => {
       this.viewer.goBehind();
+      this.viewer.see();
       this.viewer.invalidate();
     });
     byId('save').addEventListener('click', async () => save('path.json', new TextDecoder().decode(await bytesOfPart('way'))));
@@ -358,13 +432,19 @@ function showPictures(reason) {
 /** Once the browser has drawn. */
 const picture = () => new Promise(done => requestAnimationFrame(() => setTimeout(done)));
 
+/** The model and the frames of a method. What they have in common with those of the first one is in the page once. */
+async function sceneOf(method) {
+  const partOf = name => hasPart(`${name}-${method}`) ? `${name}-${method}` : name;
+  const scene = await jsonOfPart(partOf('scene'));
+  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'vain', 'frames', 'details'];
+  const parts = Object.fromEntries(await Promise.all(names.map(async name => [name, await bytesOfPart(partOf(name))])));
+  const model = new Model(scene, parts);
+  return {scene, model, frames: new Frames(scene, parts.frames, model.leaves), details: new Details(parts.details)};
+}
+
 async function open() {
   const page = new WalkPage(await jsonOfPart('figures'));
-  const [scene, path] = await Promise.all([jsonOfPart('scene'), jsonOfPart('path')]);
-  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'vain', 'frames', 'details'];
-  const parts = Object.fromEntries(await Promise.all(names.map(async name => [name, await bytesOfPart(name)])));
-  const model = new Model(scene, parts);
-  page.addScene(scene, path, model, new Frames(scene, parts.frames, model.leaves), new Details(parts.details));
+  page.addScene(await jsonOfPart('path'), await sceneOf(0));
   await picture();
   page.fillCharts();
   page.addMap();

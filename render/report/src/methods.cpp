@@ -37,6 +37,7 @@ MethodRow row_of(const MethodWalk& of, bool is_drawn) {
   MethodRow result = row(method_text(*of.options), walk, is_drawn, &FrameRecord::rendered_polygons, &FrameRecord::cull_ms,
                          &FrameRecord::frame_ms);
   result.by = of.options->cull.method;
+  result.cull_processor_ms = mean(walk, &FrameRecord::cull_processor_ms);
   if (!is_drawn) return result;
   result.wrong_pixels = result.false_culls = 0;
   for (const FrameRecord& record : walk.frames) {
@@ -81,14 +82,19 @@ Methods methods_of(const std::vector<MethodWalk>& walks, bool is_drawn) {
 
 std::vector<WalkOptions> options_beside(const WalkOptions& options) {
   std::vector<WalkOptions> others;
+  WalkOptions alone = options;
+  alone.witness.reset();
+  alone.log.reset();
+  alone.on_shadow_test = nullptr;
+  alone.plates = false;
   if (options.hold > 0) {
-    others.emplace_back(options).hold = 0;
+    others.emplace_back(alone).hold = 0;
     return others;
   }
   const bool is_best = options.build.hierarchy.leaf_size == culler::leaf_size_for(options.cull.method);
   for (const culler::Method method : kMethods) {
     if (method == options.cull.method) continue;
-    WalkOptions& other = others.emplace_back(options);
+    WalkOptions& other = others.emplace_back(alone);
     other.cull.method = method;
     if (is_best) other.build.hierarchy.leaf_size = culler::leaf_size_for(method);
   }
@@ -114,6 +120,7 @@ Table table_of(const Methods& methods) {
                {"culled", "culled_share", percent},
                {"of the hidden", "hidden_culled", percent},
                {"cull, ms", "cull_ms", ms_of_culling},
+               {"of processor", "cull_processor_ms", rounded<2>},
                {"", "worst_cull_ms"},
                {"frame, ms", "frame_ms", rounded<1>},
                {"without, ms", "frame_ms_view_frustum_only", rounded<1>},
@@ -122,9 +129,10 @@ Table table_of(const Methods& methods) {
                {"false culls", "false_culls"}},
               {}};
   for (const MethodRow& m : methods) {
-    table.rows.push_back({m.method, m.drawn, m.culled_share, if_known(m.hidden_culled), m.cull_ms, m.worst_cull_ms,
-                          if_known(m.frame_ms), if_known(m.frame_ms_view_frustum_only), if_known(m.speedup),
-                          if_known(m.wrong_pixels), if_known(m.false_culls)});
+    table.rows.push_back({m.method, m.drawn, m.culled_share, if_known(m.hidden_culled), m.cull_ms,
+                          if_known(m.cull_processor_ms), m.worst_cull_ms, if_known(m.frame_ms),
+                          if_known(m.frame_ms_view_frustum_only), if_known(m.speedup), if_known(m.wrong_pixels),
+                          if_known(m.false_culls)});
   }
   return table;
 }

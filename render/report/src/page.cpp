@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "deflated.h"
+#include "occlude/render/formats.h"
 #include "page_files.h"
 
 namespace occlude::render {
@@ -13,6 +15,11 @@ std::string page(const std::string& title, const std::string& body) {
 {}</body></html>
 )",
       title, page_file("page.css"), body);
+}
+
+std::string picture_html(const std::string& png, const std::string& caption) {
+  return fmt::format(R"(<figure><img src="data:image/png;base64,{0}" alt="{1}"><figcaption>{1}</figcaption></figure>)",
+                     base64(png), escaped(caption));
 }
 
 }  // namespace occlude::render

@@ -65,7 +65,9 @@ Table spread_table(const Summary& summary) {
                           linked(fmt::format("{} (frame {})", number(worst), frame), fmt::format("#frame={}", frame))});
   };
   add("Culling, ms", summary.mean.cull_ms, summary.spread.cull_ms, in_ms);
+  add("Culling, ms of processor", summary.mean.cull_processor_ms, summary.spread.cull_processor_ms, in_ms);
   add("Frame, ms", summary.mean.frame_ms, summary.spread.frame_ms, in_ms);
+  add("Frame, ms of processors", summary.mean.frame_processor_ms, summary.spread.frame_processor_ms, in_ms);
   add("Speedup", summary.speedup, summary.spread.speedup, in_percent);
   return table;
 }

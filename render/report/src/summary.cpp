@@ -162,14 +162,20 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   mean_figures.candidates = mean_of([](const FrameRecord& r) { return r.stats.occluders_in_view; });
   mean_figures.sort_moves = mean_of([](const FrameRecord& r) { return r.stats.sort_moves; });
   mean_figures.cull_ms = mean_of(&FrameRecord::cull_ms);
+  mean_figures.cull_processor_ms = mean_of(&FrameRecord::cull_processor_ms);
+  mean_figures.view_frustum_cull_ms = mean_of(&FrameRecord::view_frustum_cull_ms);
   mean_figures.witness_ms = mean_of(&FrameRecord::witness_ms);
   mean_figures.frame_ms = if_rendered(frame_ms);
   mean_figures.frame_ms_view_frustum_only = if_rendered(viewed_ms);
   mean_figures.frame_ms_visible_only = if_rendered(mean_of(&FrameRecord::visible_frame_ms));
+  mean_figures.frame_processor_ms = if_rendered(mean_of(&FrameRecord::frame_processor_ms));
+  mean_figures.frame_processor_ms_view_frustum_only = if_rendered(mean_of(&FrameRecord::view_frustum_frame_processor_ms));
 
   summary.spread.cull_ms = spread(result, Worst::most, &FrameRecord::cull_ms);
+  summary.spread.cull_processor_ms = spread(result, Worst::most, &FrameRecord::cull_processor_ms);
   if (options.render) {
     summary.spread.frame_ms = spread(result, Worst::most, &FrameRecord::frame_ms);
+    summary.spread.frame_processor_ms = spread(result, Worst::most, &FrameRecord::frame_processor_ms);
     summary.spread.speedup = spread(result, Worst::least, speedup_of);
   }
 
@@ -193,6 +199,7 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   summary.operations = result.operations;
   summary.preprocess_s = result.preprocess_s;
   summary.machine = this_machine(result.renderer);
+  summary.load = result.load;
   return summary;
 }
 
@@ -209,6 +216,26 @@ std::string limit_note(const Summary& summary) {
   return "";
 }
 
+std::string busy_note(const Summary& summary) {
+  // A cull works on one processor alone and waits for nothing: what it takes beyond its processor time is others' doing.
+  constexpr double kMostWait = 1.1;
+  std::vector<std::string> signs;
+  if (summary.load && *summary.load > summary.machine.threads) {
+    signs.push_back(fmt::format("{:.1f} processes wanted to run on its {} threads when the walk began", *summary.load,
+                                summary.machine.threads));
+  }
+  for (const MethodRow& m : summary.methods) {
+    if (m.cull_processor_ms && m.cull_ms > kMostWait * *m.cull_processor_ms) {
+      signs.push_back(
+          fmt::format("culls by {} took {:.2f} times their processor time", m.method, m.cull_ms / *m.cull_processor_ms));
+    }
+  }
+  if (signs.empty()) return "";
+  return fmt::format(
+      "The machine was busy: {}. Times by the clock are too long; those of the processor are nearer to the truth.",
+      fmt::join(signs, "; "));
+}
+
 bool passed(const WalkResult& result) {
   return std::all_of(result.frames.begin(), result.frames.end(),
                      [](const FrameRecord& r) { return r.false_culls == 0 && r.wrong_pixels == r.snapped_pixels; });
@@ -218,6 +245,7 @@ std::string text_of(const Summary& summary, const Paint& paint) {
   std::string text =
       text_of(table_of(summary.methods)) + "\n" + text_of(table2_of(summary)) + "\n" + text_of(spread_table(summary));
   if (const std::string note = limit_note(summary); !note.empty()) text += note + '\n';
+  if (const std::string note = busy_note(summary); !note.empty()) text += paint(Colour::yellow, note) + '\n';
   if (summary.held) text += held_text(summary);
   if (summary.options.render) {
     const bool is_right = *summary.false_culls == 0 && *summary.wrong_pixels == *summary.snapped_pixels;
@@ -278,6 +306,7 @@ Json json_of(const std::optional<Spread>& spread) {
 
 Json json_of(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
+  const std::string busy = busy_note(summary);
   Json json{{"model", summary.model},
             {"polygons", summary.polygons},
             {"see_through_polygons", summary.see_through_polygons},
@@ -294,13 +323,19 @@ Json json_of(const Summary& summary) {
               {"candidates", mean.candidates},
               {"sort_moves", mean.sort_moves},
               {"cull_ms", mean.cull_ms},
+              {"cull_processor_ms", mean.cull_processor_ms},
+              {"view_frustum_cull_ms", mean.view_frustum_cull_ms},
               {"witness_ms", mean.witness_ms},
               {"frame_ms", if_known(mean.frame_ms)},
               {"frame_ms_view_frustum_only", if_known(mean.frame_ms_view_frustum_only)},
-              {"frame_ms_visible_only", if_known(mean.frame_ms_visible_only)}}},
+              {"frame_ms_visible_only", if_known(mean.frame_ms_visible_only)},
+              {"frame_processor_ms", if_known(mean.frame_processor_ms)},
+              {"frame_processor_ms_view_frustum_only", if_known(mean.frame_processor_ms_view_frustum_only)}}},
             {"spread",
              {{"cull_ms", json_of(summary.spread.cull_ms)},
+              {"cull_processor_ms", json_of(summary.spread.cull_processor_ms)},
               {"frame_ms", json_of(summary.spread.frame_ms)},
+              {"frame_processor_ms", json_of(summary.spread.frame_processor_ms)},
               {"speedup", json_of(summary.spread.speedup)}}},
             {"culled_share", summary.culled_share},
             {"culled_share_of_hidden", if_known(summary.culled_share_of_hidden)},
@@ -318,7 +353,9 @@ Json json_of(const Summary& summary) {
             {"witnesses", summary.witnesses},
             {"operations", operations(summary.operations)},
             {"preprocess_s", summary.preprocess_s},
-            {"machine", json_of(summary.machine)}};
+            {"machine", json_of(summary.machine)},
+            {"load", if_known(summary.load)},
+            {"busy", busy.empty() ? Json() : Json(busy)}};
   if (summary.held) json["held"] = json_of(*summary.held);
   return json;
 }
@@ -330,17 +367,19 @@ std::string frames_csv(const WalkResult& result) {
       "occluders,potential_occluders,candidates,sort_kept,sort_moves,nodes_visited,view_tests,shadow_tests,probe_tests,"
       "exact_shadow_tests,view_culled_polygons,shadow_"
       "culled_polygons,"
-      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms,occlusion_first,region\n";
+      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms,occlusion_first,region,"
+      "cull_processor_ms,frame_processor_ms,view_frustum_frame_processor_ms\n";
   for (const FrameRecord& r : result.frames) {
-    fmt::format_to(
-        std::back_inserter(csv),
-        "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f},{:d},{}\n",
-        r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
-        r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders, r.stats.occluders_in_view,
-        r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests,
-        r.stats.probe_tests, r.stats.exact_shadow_tests, r.stats.view_culled_polygons, r.stats.shadow_culled_polygons,
-        r.wrong_pixels, r.snapped_pixels, r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms,
-        r.is_occlusion_first, r.region);
+    fmt::format_to(std::back_inserter(csv),
+                   "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f},{:d},{"
+                   "},{:.4f},{:.4f},{:.4f}\n",
+                   r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
+                   r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders,
+                   r.stats.occluders_in_view, r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited,
+                   r.stats.view_tests, r.stats.shadow_tests, r.stats.probe_tests, r.stats.exact_shadow_tests,
+                   r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels,
+                   r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms, r.is_occlusion_first,
+                   r.region, r.cull_processor_ms, r.frame_processor_ms, r.view_frustum_frame_processor_ms);
   }
   return csv;
 }

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "occlude/render/errors.h"
+#include "occlude/render/image.h"
 #include "occlude/render/json_text.h"
 #include "occlude/render/output_place.h"
+#include "occlude/render/plates.h"
 #include "occlude/render/printable.h"
 
 namespace occlude::render {
@@ -26,7 +30,11 @@ constexpr double kLeastChange = 0.001;
 constexpr double kLeastChangeOfTime = 0.05;
 
 enum class Better { neither, less, more };
-enum class Kind { fault, count, time };
+/// By which the times of the control may differ.
+constexpr double kMostChangeOfPace = 0.1;
+
+/// A ratio of times of one walk does not hang on the machine as times do.
+enum class Kind { fault, count, time, processor_time, ratio };
 /// What a member of summary.json may be, beside null.
 enum class Type { text, flag, whole, amount, share, size };
 
@@ -52,11 +60,16 @@ constexpr auto kFigures = std::to_array<Figure>({
     {"mean.candidates", Type::amount, Better::neither, Kind::count, "candidates"},
     {"mean.sort_moves", Type::amount, Better::neither, Kind::count, "sort_moves"},
     {"mean.cull_ms", Type::amount, Better::less, Kind::time, "cull_ms"},
+    {"mean.cull_processor_ms", Type::amount, Better::less, Kind::processor_time, "cull_processor_ms"},
+    {"mean.view_frustum_cull_ms", Type::amount, Better::neither, Kind::time, "view_frustum_cull_ms"},
     {"mean.witness_ms", Type::amount, Better::less, Kind::time},
     {"mean.frame_ms", Type::amount, Better::less, Kind::time, "frame_ms"},
     {"mean.frame_ms_view_frustum_only", Type::amount, Better::neither, Kind::time, "view_frustum_frame_ms"},
     {"mean.frame_ms_visible_only", Type::amount, Better::neither, Kind::time, "visible_frame_ms"},
-    {"speedup", Type::amount, Better::more, Kind::time, "view_frustum_frame_ms", "frame_ms"},
+    {"mean.frame_processor_ms", Type::amount, Better::less, Kind::processor_time, "frame_processor_ms"},
+    {"mean.frame_processor_ms_view_frustum_only", Type::amount, Better::neither, Kind::processor_time,
+     "view_frustum_frame_processor_ms"},
+    {"speedup", Type::amount, Better::more, Kind::ratio, "view_frustum_frame_ms", "frame_ms"},
     {"speedup_limit.polygons", Type::amount},
     {"speedup_limit.visible", Type::amount},
     {"held.regions", Type::whole},
@@ -114,6 +127,8 @@ constexpr auto kConditions = std::to_array<Condition>({
     {"machine.threads", Type::whole},
     {"machine.renderer", Type::text},
     {"machine.compiler", Type::text},
+    {"load", Type::amount},
+    {"busy", Type::text},
 });
 
 /// The member that a dotted name means; null if there is none.
@@ -227,7 +242,7 @@ double mean(const Values& values) { return std::reduce(values.begin(), values.en
 /// Judges a figure that both summaries have.
 Verdict judge(const Figure& figure, const ComparedFigure& compared, const Values& ratios, bool has_same_frames) {
   if (figure.kind == Kind::fault) return judge_change(figure.better, *compared.a, *compared.b, 0);
-  if (figure.kind == Kind::time) return judge_times(figure.better, ratios);
+  if (figure.kind != Kind::count) return judge_times(figure.better, ratios);
   if (!ratios.empty()) {
     return judge_change(figure.better, mean(compared.frames_of_a), mean(compared.frames_of_b), kLeastChange);
   }
@@ -256,6 +271,64 @@ ComparedFigure compare(const Figure& figure, const WalkReading& a, const WalkRea
              : a.summary.value("frames", nlohmann::json()) == b.summary.value("frames", nlohmann::json());
   compared.verdict = judge(figure, compared, ratios, has_same_frames);
   return compared;
+}
+
+/// Of the first of these figures that is known.
+std::optional<double> control_of(const std::vector<ComparedFigure>& figures, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const auto figure = std::ranges::find(figures, name, &ComparedFigure::name);
+    if (figure->per_frame) return figure->per_frame->median;
+    if (const std::optional<double> ratio = figure->ratio()) return ratio;
+  }
+  return std::nullopt;
+}
+
+/// Takes back what was found of a kind.
+void forget(std::vector<ComparedFigure>& figures, Kind kind) {
+  for (std::size_t i = 0; i < kFigures.size(); ++i) {
+    if (kFigures[i].kind == kind) figures[i].verdict = Verdict::unjudged;
+  }
+}
+
+/// The plates of the two frames that are nearest to each other.
+void choose_plates(const WalkReading& a, const WalkReading& b, WalkComparison& comparison) {
+  std::size_t least = SIZE_MAX;
+  for (const auto& of_a : a.plates) {
+    for (const auto& of_b : b.plates) {
+      const std::size_t apart = std::max(of_a.first, of_b.first) - std::min(of_a.first, of_b.first);
+      if (apart >= least) continue;
+      least = apart;
+      comparison.a.plate = of_a;
+      comparison.b.plate = of_b;
+    }
+  }
+}
+
+ComparedWalk compared(const WalkReading& walk, bool has_own_label) {
+  const auto busy = walk.summary.find("busy");
+  return {walk.name, has_own_label ? walk.label : walk.name,
+          busy != walk.summary.end() && busy->is_string() ? printable(busy->get<std::string>()) : std::string(),
+          std::nullopt};
+}
+
+/// The plates from outside in a folder, by their frames.
+std::map<std::size_t, std::filesystem::path> plates_in(const std::filesystem::path& folder) {
+  std::map<std::size_t, std::filesystem::path> plates;
+  if (!std::filesystem::is_directory(folder)) return plates;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::optional<std::size_t> frame = frame_of_outside_plate(entry.path().filename().native());
+    if (!frame || !is_own_png(entry.path())) continue;
+    keep_input(entry.path());
+    plates.emplace(*frame, entry.path());
+  }
+  return plates;
+}
+
+/// "before" of before/ and of before/summary.json.
+std::string label_of(const std::filesystem::path& place) {
+  const bool is_inside = !place.has_filename() || place.filename() == "summary.json";
+  const std::filesystem::path folder = is_inside ? place.parent_path() : place;
+  return printable((folder.has_filename() ? folder : std::filesystem::absolute(folder)).filename().native());
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
@@ -304,13 +377,14 @@ WalkReading read_walk(const std::filesystem::path& place) {
   const bool is_folder = std::filesystem::is_directory(place);
   const std::filesystem::path file = is_folder ? place / "summary.json" : place, table = place / "frames.csv";
   keep_input(file);
-  WalkReading reading{printable(place.string()), read_json(file), std::nullopt};
+  WalkReading reading{printable(place.string()), label_of(place), read_json(file), {}, std::nullopt};
   if (!reading.summary.is_object()) refuse(file, "expected a JSON object");
   for (const Condition& condition : kConditions) require(file, reading.summary, condition.name, condition.type);
   for (const Figure& figure : kFigures) require(file, reading.summary, figure.name, figure.type);
   for (const char* name : {"mean.rendered_polygons", "mean.cull_ms", "culled_share"}) {
     if (!number(reading.summary, name)) refuse(file, std::string(name) + ": missing");
   }
+  if (is_folder) reading.plates = plates_in(place / "plates");
   if (is_folder && std::filesystem::exists(table)) {
     keep_input(table);
     reading.frames.emplace(table);
@@ -328,11 +402,22 @@ std::vector<std::string> WalkComparison::worse() const {
   return names;
 }
 
+bool is_same_pace(const std::optional<double>& control) {
+  return !control || (*control <= 1 + kMostChangeOfPace && *control >= 1 / (1 + kMostChangeOfPace));
+}
+
 WalkComparison compare_walks(const WalkReading& a, const WalkReading& b) {
-  WalkComparison comparison{a.name, b.name, differences_of(a.summary, b.summary), {}, {}};
+  const bool have_own_labels = a.label != b.label;
+  WalkComparison comparison{
+      compared(a, have_own_labels), compared(b, have_own_labels), differences_of(a.summary, b.summary), {}, {}, {}, {}};
+  choose_plates(a, b, comparison);
   std::optional<Frames> frames;
   if (a.frames && b.frames) frames.emplace(*a.frames, *b.frames);
   for (const Figure& figure : kFigures) comparison.figures.push_back(compare(figure, a, b, frames ? &*frames : nullptr));
+  comparison.control = control_of(comparison.figures, {"mean.frame_ms_view_frustum_only", "mean.view_frustum_cull_ms"});
+  comparison.control_of_processor = control_of(comparison.figures, {"mean.frame_processor_ms_view_frustum_only"});
+  if (!is_same_pace(comparison.control)) forget(comparison.figures, Kind::time);
+  if (!is_same_pace(comparison.control_of_processor)) forget(comparison.figures, Kind::processor_time);
   if (!frames) return comparison;
   comparison.frames.emplace();
   for (const std::size_t row : frames->rows_of_a) comparison.frames->push_back(frames->a.frames()[row]);

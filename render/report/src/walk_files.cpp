@@ -6,13 +6,10 @@
 #include <vector>
 
 #include "occlude/render/log_line.h"
+#include "occlude/render/plates.h"
 
 namespace occlude::render {
 namespace {
-
-bool is_plate(const std::string& name) {
-  return name.starts_with("frame_") && (name.ends_with("_view.png") || name.ends_with("_outside.png"));
-}
 
 /// In half its size and with fewer colours, which a PNG file stores in much fewer bytes.
 Image small(const Image& image) {
@@ -35,15 +32,16 @@ WalkFiles::WalkFiles(const std::filesystem::path& folder, const WalkOptions& opt
       witness_(options.witness ? std::optional<OutputFile>(std::in_place, *options.witness) : std::nullopt),
       log_(options.log ? std::optional<OutputFile>(std::in_place, *options.log) : std::nullopt),
       pictures_(folder / "plates", is_plate),
+      recorded_(1),
       command_(std::move(command)) {}
 
 void WalkFiles::add_model(const culler::Culler& culler) {
-  recording_.emplace(culler);
+  recorded_.front().add_model(culler);
   hierarchy_ = &culler.hierarchy();
 }
 
 void WalkFiles::add_frame(const ShownFrame& frame) {
-  recording_->add_frame(frame);
+  recorded_.front().add_frame(frame);
   if (log_) log_->write(log_line(frame, *hierarchy_, options_) + '\n');
 }
 
@@ -58,10 +56,13 @@ void WalkFiles::add_plate(const Plate& plate, const Image& image) {
   if (page_pictures_.size() < kInPage) page_pictures_.push_back({plate.caption, png_of(small(image))});
 }
 
-void WalkFiles::write(const WalkResult& result, const Summary& summary, const CameraPath& path) {
-  csv_.write(frames_csv(result));
-  report_.write(walk_page(
-      summary, {result.frames, result.regions, result.missed, *recording_, page_pictures_, command_, json_of(path)}));
+WalkOutput& WalkFiles::add_method() { return recorded_.emplace_back(); }
+
+void WalkFiles::write(const std::vector<MethodWalk>& walks, const Summary& summary, const CameraPath& path) {
+  csv_.write(frames_csv(*walks.front().walk));
+  WalkPageContent content{{}, page_pictures_, command_, json_of(path)};
+  for (std::size_t i = 0; i < walks.size(); ++i) content.walks.push_back({walks[i], &*recorded_[i].recording});
+  report_.write(walk_page(summary, content));
   summary_.write(json_of(summary).dump(2) + "\n");
   if (path_) write_camera_path(*path_, path);
   for (OutputFile* file : files()) file->close();

@@ -14,6 +14,7 @@
 #include "deflated.h"
 #include "occlude/render/formats.h"
 #include "occlude/render/missed_report.h"
+#include "occlude/render/page.h"
 #include "occlude/render/paper_report.h"
 #include "page_camera.h"
 #include "page_files.h"
@@ -61,18 +62,21 @@ std::string lead(const Summary& summary) {
                      summary.options.render ? "" : " Nothing was drawn: this walk measured culling alone.");
 }
 
-const char* method_of(const Summary& summary) { return is_cover(summary) ? "cover" : "frusta"; }
-
-std::string methods(const Summary& summary) {
-  const char* const shown = is_cover(summary) ? "joined shadows, of everything in front" : "the shadows of single occluders";
+std::string methods(const Summary& summary, std::size_t shown) {
+  const char* const by = is_cover(summary) ? "joined shadows, of everything in front" : "the shadows of single occluders";
   return html_of(table_of(summary.methods)) +
          fmt::format(
              "<p class=\"soft\">Without: the same frames by the view frustum alone, in turns with "
-             "the method. All below is by {}{}.</p>",
-             shown, summary.held ? ", for regions of eyes that hold for the frames between" : "");
+             "the method. Averages below are by {}{}.{}</p>",
+             by, summary.held ? ", for regions of eyes that hold for the frames between" : "",
+             shown > 1
+                 ? " The picture, and what is told of frames, regions and occluders, is of the method that is chosen there."
+                 : "");
 }
 
-std::string note(const std::string& text) { return text.empty() ? "" : "<p class=\"soft\">" + text + "</p>"; }
+std::string note(const char* kind, const std::string& text) {
+  return text.empty() ? "" : fmt::format(R"(<p class="{}">{}</p>)", kind, text);
+}
 
 /// What is not as in the walk.
 std::string simplified(const Summary& summary, const WalkRecording& recording) {
@@ -82,16 +86,12 @@ std::string simplified(const Summary& summary, const WalkRecording& recording) {
                         grouped(static_cast<double>(recording.polygons())), grouped(static_cast<double>(summary.polygons)));
   }
   if (recording.every() > 1) html += fmt::format("Of every {} frames one is shown here. ", recording.every());
-  return html.empty() ? "" : R"(<p class="note">)" + html + "</p>";
+  return note("note", html);
 }
 
 std::string pictures_html(const std::vector<PagePicture>& pictures) {
   std::string html;
-  for (const PagePicture& picture : pictures) {
-    fmt::format_to(std::back_inserter(html),
-                   R"(<figure><img src="data:image/png;base64,{0}" alt="{1}"><figcaption>{1}</figcaption></figure>)",
-                   base64(picture.png), escaped(picture.caption));
-  }
+  for (const PagePicture& picture : pictures) html += picture_html(picture.png, picture.caption);
   return html;
 }
 
@@ -172,38 +172,53 @@ nlohmann::ordered_json json_of(const std::vector<RegionRecord>& regions) {
   return list;
 }
 
-/// The figures of all frames, in columns.
-std::string figures(const Summary& summary, const WalkPageContent& content) {
+/// The figures of all frames of a walk, in columns.
+std::string figures(const Summary& summary, const MethodWalk& of) {
+  const WalkOptions& options = *of.options;
   Columns columns;
-  const auto add = [&](const char* name, auto&& value) { columns.add(name, content.frames, value); };
+  const auto add = [&](const char* name, auto&& value) { columns.add(name, of.walk->frames, value); };
   add("frame", &FrameRecord::frame);
   add("in_view", &FrameRecord::view_frustum_polygons);
   add("drawn", &FrameRecord::rendered_polygons);
   add("culled", [](const FrameRecord& r) { return r.stats.shadow_culled_polygons; });
   add("out_of_view", [](const FrameRecord& r) { return r.stats.view_culled_polygons; });
   add("cull_ms", &FrameRecord::cull_ms);
-  if (summary.held) add("region", &FrameRecord::region);
-  if (summary.options.render) {
+  add("cull_processor_ms", &FrameRecord::cull_processor_ms);
+  if (options.hold > 0) add("region", &FrameRecord::region);
+  if (options.render) {
     add("visible", &FrameRecord::visible_polygons);
     add("frame_ms", &FrameRecord::frame_ms);
+    add("frame_processor_ms", &FrameRecord::frame_processor_ms);
     add("view_frustum_frame_ms", &FrameRecord::view_frustum_frame_ms);
+    add("view_frustum_frame_processor_ms", &FrameRecord::view_frustum_frame_processor_ms);
     add("visible_frame_ms", &FrameRecord::visible_frame_ms);
   }
-  const nlohmann::ordered_json reasons = add_missed(columns, content.missed);
+  const nlohmann::ordered_json reasons = add_missed(columns, of.walk->missed);
   const nlohmann::ordered_json walk = {{"model", summary.model},
                                        {"polygons", summary.polygons},
-                                       {"rendered", summary.options.render},
-                                       {"method", method_of(summary)},
-                                       {"size", {summary.options.width, summary.options.height}},
+                                       {"rendered", options.render},
+                                       {"name", method_text(options)},
+                                       {"method", name_of(options.cull.method)},
+                                       {"kind", culler::is_by_cover(options.cull.method) ? "cover" : "frusta"},
+                                       {"size", {options.width, options.height}},
                                        {"reasons", reasons},
-                                       {"regions", json_of(content.regions)}};
+                                       {"regions", json_of(of.walk->regions)}};
   return fmt::format(R"({{"walk":{},"columns":{{{}}}}})", walk.dump(), columns.text());
 }
 
 std::string parts(const Summary& summary, const WalkPageContent& content) {
-  std::string html = page_part("figures", figures(summary, content));
-  html += page_part("way", content.path);
-  for (const auto& [name, bytes] : content.recording.parts()) html += page_part(name, bytes);
+  std::string walks;
+  for (const PageWalk& shown : content.walks) walks += (walks.empty() ? "" : ",") + figures(summary, shown.walk);
+  std::string html = page_part("figures", "[" + walks + "]") + page_part("way", content.path);
+  const auto first = content.walks.front().recording->parts();
+  for (const auto& [name, bytes] : first) html += page_part(name, bytes);
+  // Of the others what is not the same.
+  for (std::size_t i = 1; i < content.walks.size(); ++i) {
+    const auto parts = content.walks[i].recording->parts();
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (parts[k] != first[k]) html += page_part(fmt::format("{}-{}", parts[k].first, i), parts[k].second);
+    }
+  }
   return html;
 }
 
@@ -213,20 +228,18 @@ std::string walk_page(const Summary& summary, const WalkPageContent& content) {
   const std::map<std::string_view, std::function<std::string()>> values{
       {"model", [&] { return escaped(summary.model); }},
       {"lead", [&] { return lead(summary); }},
-      {"method", [&] { return method_of(summary); }},
-      {"methods", [&] { return methods(summary); }},
+      {"methods", [&] { return methods(summary, content.walks.size()); }},
       {"times", [&] { return summary.options.render ? "Frame time (the paper's figure 2)" : "Time to cull"; }},
+      {"busy", [&] { return note("note", busy_note(summary)); }},
       {"facts", [&] { return facts(summary); }},
-      {"simplified", [&] { return simplified(summary, content.recording); }},
+      {"simplified", [&] { return simplified(summary, *content.walks.front().recording); }},
       {"table1", [&] { return summary.operations.tests == 0 ? "" : html_of(table1_of(summary.operations)); }},
       {"spread", [&] { return html_of(spread_table(summary)); }},
-      {"table2", [&] { return html_of(table2_of(summary)) + note(limit_note(summary)); }},
+      {"table2", [&] { return html_of(table2_of(summary)) + note("soft", limit_note(summary)); }},
       {"pictures", [&] { return pictures_html(content.pictures); }},
       {"conditions", [&] { return conditions(summary); }},
       {"command", [&] { return escaped(content.command); }},
       {"options", [&] { return escaped(json_of(summary.options, summary.build).dump(2)); }},
-      {"culled", [&] { return is_cover(summary) ? "culled by cover" : "culled by shadow"; }},
-      {"hiders", [&] { return is_cover(summary) ? "What each piece of the covers hid" : "What each occluder hid"; }},
       {"machine", [&] { return escaped(machine_of(summary.machine)); }},
       {"version", [] { return std::string(OCCLUDE_VERSION); }},
       {"parts", [&] { return parts(summary, content); }}};

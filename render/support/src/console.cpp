@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -15,6 +16,15 @@ namespace occlude::render {
 namespace {
 
 bool quiet = false, silent = false;
+
+constexpr const char* kClear = "\r\033[K";
+std::atomic<bool> is_line_open = false;
+
+void write_error(const std::string& text) {
+  if (silent) return;
+  // stderr is unbuffered, so a message is one write and does not mix with those of other processes.
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+}
 
 [[noreturn]] void fail() {
   const int error = errno;
@@ -51,10 +61,11 @@ void finish_printing() {
   if (std::fflush(stdout) != 0) fail();
 }
 
-void say(std::string_view text) {
-  if (silent) return;
-  // stderr is unbuffered, so a message is one write and does not mix with those of other processes.
-  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+void say(std::string_view text) { write_error((is_line_open.exchange(false) ? kClear : "") + std::string(text)); }
+
+void say_in_place(std::string_view line) {
+  is_line_open = true;
+  write_error(kClear + std::string(line));
 }
 
 }  // namespace occlude::render

@@ -2,6 +2,7 @@
 #include "occlude/render/machine.h"
 
 #include <fmt/format.h>
+#include <stdlib.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,11 @@ std::string compiler_name() {
 
 Machine this_machine(const std::string& renderer) {
   return {processor_name(), compiler_name(), std::thread::hardware_concurrency(), renderer};
+}
+
+std::optional<double> load_of_machine() {
+  double load = 0;
+  return getloadavg(&load, 1) == 1 ? std::optional(load) : std::nullopt;
 }
 
 std::string text_of(const Machine& machine) {

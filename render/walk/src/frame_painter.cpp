@@ -27,22 +27,17 @@ Image FramePainter::whole(const culler::Camera& camera) {
 Image FramePainter::outside(const culler::Camera& camera, const culler::CullResult& result,
                             const std::optional<PolygonRange>& marked, std::span<const Line> lines) {
   const culler::SoupView soup = culler_.hierarchy().soup();
-  FrameLayers layers = layers_of(culler_, camera, result, plates_);
+  const FrameLayers layers = layers_of(culler_, camera, result, plates_);
   const std::vector<LegendEntry> legend = layers.legend();
   double depth = depth_of_scene(culler_, camera, result.drawn);
   if (marked) depth = std::max(depth, glm::distance(soup.vertices[soup.loop(marked->first)[0]], camera.eye));
   const culler::Camera above = outside_camera(camera, depth);
-  if (const auto height = cut_height(camera, above, scene_, soup)) {
-    for (auto* ranges : {&layers.occluders, &layers.seen, &layers.missed, &layers.culled, &layers.out_of_view}) {
-      *ranges = cut_away(*ranges, camera, *height, soup);
-    }
-  }
   std::vector<PlateLayer> shown = layers.all();
   if (marked) shown.insert(shown.begin(), {std::span(&*marked, 1), Style::marked});
   std::vector<Line> drawn(lines.begin(), lines.end());
   add_frustum(drawn, camera, depth);
   for (const culler::Occluder& occluder : result.occluders) add_shadow(drawn, occluder, camera, depth);
-  return plates_.draw(above, shown, {.lines = drawn, .legend = legend});
+  return plates_.draw(above, shown, {.lines = drawn, .legend = legend, .cut = cut_between(camera, above, scene_, soup)});
 }
 
 Image FramePainter::fates(const culler::Camera& camera, const culler::CullResult& result) {

@@ -9,7 +9,6 @@
 #include <limits>
 #include <span>
 
-#include "model/append_range.h"
 #include "occlude/render/polygon_area.h"
 
 namespace occlude::render {
@@ -48,8 +47,8 @@ culler::Camera outside_camera(const culler::Camera& camera, double depth) {
   return outside;
 }
 
-std::optional<double> cut_height(const culler::Camera& camera, const culler::Camera& outside, SceneRenderer& renderer,
-                                 culler::SoupView soup) {
+std::optional<Cut> cut_between(const culler::Camera& camera, const culler::Camera& outside, SceneRenderer& renderer,
+                               culler::SoupView soup) {
   culler::Camera back = outside;
   back.eye = camera.eye;
   back.target = outside.eye;
@@ -61,20 +60,8 @@ std::optional<double> cut_height(const culler::Camera& camera, const culler::Cam
   const glm::dvec3 normal = doubled_area(soup, between), way = outside.eye - camera.eye;
   const double share = glm::dot(normal, soup.vertices[soup.loop(between)[0]] - camera.eye) / glm::dot(normal, way);
   if (!(share > 0 && share < 1)) return std::nullopt;
-  return share * glm::dot(way, glm::normalize(camera.up)) / 2;
-}
-
-std::vector<PolygonRange> cut_away(const std::vector<PolygonRange>& ranges, const culler::Camera& camera, double height,
-                                   culler::SoupView soup) {
   const glm::dvec3 up = glm::normalize(camera.up);
-  std::vector<PolygonRange> kept;
-  for (const PolygonRange& range : ranges) {
-    for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
-      const auto is_below = [&](std::uint32_t v) { return glm::dot(soup.vertices[v] - camera.eye, up) <= height; };
-      if (std::ranges::any_of(soup.loop(p), is_below)) culler::append_range(kept, {p, 1});
-    }
-  }
-  return kept;
+  return Cut{up, glm::dot(up, camera.eye + share / 2 * way)};
 }
 
 void add_frustum(std::vector<Line>& lines, const culler::Camera& camera, double depth) {

@@ -19,14 +19,10 @@ namespace occlude::render {
 /// A camera above and behind `camera` that looks down on its view as far as `depth`.
 [[nodiscard]] culler::Camera outside_camera(const culler::Camera& camera, double depth);
 
-/// Half the height above the camera of what is between it and the eye of `outside`; none if nothing is. `renderer` holds the
-/// polygons of the soup.
-[[nodiscard]] std::optional<double> cut_height(const culler::Camera& camera, const culler::Camera& outside,
-                                               SceneRenderer& renderer, culler::SoupView soup);
-
-/// The polygons of the ranges that are not wholly more than `height` above the camera, so that one looks into a building.
-[[nodiscard]] std::vector<PolygonRange> cut_away(const std::vector<PolygonRange>& ranges, const culler::Camera& camera,
-                                                 double height, culler::SoupView soup);
+/// Opens a building, so that the eye of `outside` sees the camera: at half the height above it of what is between the two;
+/// none if nothing is. `renderer` holds the polygons of the soup.
+[[nodiscard]] std::optional<Cut> cut_between(const culler::Camera& camera, const culler::Camera& outside,
+                                             SceneRenderer& renderer, culler::SoupView soup);
 
 /// The edges of the view frustum out to `depth`.
 void add_frustum(std::vector<Line>& lines, const culler::Camera& camera, double depth);

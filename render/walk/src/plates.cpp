@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <span>
+#include <string_view>
 
 #include "occlude/render/frame_painter.h"
 #include "occlude/render/frames_along_path.h"
@@ -14,6 +16,9 @@ namespace occlude::render {
 namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
+
+/// Names of plates: with the number of the frame between.
+constexpr std::string_view kPrefix = "frame_", kView = "_view.png", kOutside = "_outside.png";
 
 constexpr Rgba kMarkedLine{200, 0, 170, 255}, kNodeLine{150, 20, 20, 255}, kOccluderLine{255, 160, 0, 255};
 
@@ -78,6 +83,18 @@ void add_box(std::vector<Line>& lines, const culler::Box& box, const Rgba& colou
 
 }  // namespace
 
+bool is_plate(const std::string& name) {
+  return name.starts_with(kPrefix) && (name.ends_with(kView) || name.ends_with(kOutside));
+}
+
+std::optional<std::size_t> frame_of_outside_plate(const std::string& name) {
+  if (!name.starts_with(kPrefix) || !name.ends_with(kOutside)) return std::nullopt;
+  std::size_t frame = 0;
+  const char* const end = name.data() + name.size() - kOutside.size();
+  const auto [next, error] = std::from_chars(name.data() + kPrefix.size(), end, frame);
+  return error == std::errc() && next == end ? std::optional(frame) : std::nullopt;
+}
+
 std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
                                     const std::vector<FrameRecord>& frames, const WalkOptions& options) {
   FramePainter painter(culler, kWidth, kHeight);
@@ -91,12 +108,12 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
     along.go_to(record->frame);
     along.cull();
     const culler::CullResult& result = along.result();
-    const std::string name = fmt::format("frame_{:06}", record->frame);
-    plates.push_back({{name + "_view.png", fmt::format("Frame {}, {}: the view of the camera.", record->frame, what)},
+    const std::string name = fmt::format("{}{:06}", kPrefix, record->frame);
+    plates.push_back({{name + std::string(kView), fmt::format("Frame {}, {}: the view of the camera.", record->frame, what)},
                       painter.view(camera, result.drawn)});
     const culler::CullStats& stats = result.stats;
     plates.push_back(
-        {{name + "_outside.png",
+        {{name + std::string(kOutside),
           fmt::format("Frame {}, {}, from outside: {} polygons drawn, {} culled because they are hidden, {} because "
                       "they are out of view. Lines: the edges of the view frustum (blue){}.",
                       record->frame, what, stats.drawn_polygons, stats.shadow_culled_polygons, stats.view_culled_polygons,

@@ -163,7 +163,8 @@ WalkResult walk(const culler::Culler& culler, const CameraPath& path, const Walk
   result.missed = std::move(missed);
   result.witnesses = witnesses;
 
-  if (!options.render) return result;
+  if (!options.render || !options.plates) return result;
+  const ShownStage stage("drawing plates");
   drawing.renderer.reset();
   for (const DrawnPlate& drawn : draw_plates(culler, path, result.frames, options)) {
     output.add_plate(drawn.plate, drawn.image);

@@ -5,6 +5,7 @@
 
 #include "comparison.h"
 #include "model/append_range.h"
+#include "occlude/render/processor_time.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/stopwatch.h"
 
@@ -30,15 +31,18 @@ class Walker {
       const Timing timing = timed(
           camera, [&] { culler_.cull(camera, view_only_, view_without_); },
           [&]() -> const culler::CullResult& { return view_without_.result(); }, full);
-      record.view_frustum_cull_ms = timing.cull_ms;
-      record.view_frustum_frame_ms = timing.frame_ms;
+      record.view_frustum_cull_ms = timing.cull.ms;
+      record.view_frustum_frame_ms = timing.frame.ms;
+      record.view_frustum_frame_processor_ms = timing.frame.processor_ms;
     };
     const auto with_occlusion = [&] {
       const Timing timing = timed(
           camera, [&] { along.cull(); }, [&]() -> const culler::CullResult& { return along.result(); }, picture);
-      record.cull_ms = timing.cull_ms;
+      record.cull_ms = timing.cull.ms;
+      record.cull_processor_ms = timing.cull.processor_ms;
       record.witness_ms = timing.witness_ms;
-      record.frame_ms = timing.frame_ms;
+      record.frame_ms = timing.frame.ms;
+      record.frame_processor_ms = timing.frame.processor_ms;
     };
     // The order alternates from one drawn frame to the next, whatever their numbers: the second method finds the caches
     // warm.
@@ -68,7 +72,8 @@ class Walker {
 
  private:
   struct Timing {
-    double cull_ms = 0, witness_ms = 0, frame_ms = 0;
+    Took cull, frame;
+    double witness_ms = 0;
   };
 
   /// Times `cull`, and drawing its result. Also collects the witnesses, outside the frame time.
@@ -76,18 +81,15 @@ class Walker {
   Timing timed(const culler::Camera& camera, const Cull& cull, const Result& result_of, Picture& picture) {
     check_interrupt();
     Timing timing;
-    const Stopwatch culling;
-    cull();
-    timing.cull_ms = culling.milliseconds();
+    timing.cull = took(cull);
     const culler::CullResult& result = result_of();
     witnesses_.clear();
     const Stopwatch proving;
     culler_.append_witnesses(result, witnesses_);
     timing.witness_ms = proving.milliseconds();
     if (renderer_) {
-      const Stopwatch drawing;
-      renderer_->draw(camera, result.drawn);
-      timing.frame_ms = timing.cull_ms + drawing.milliseconds();
+      const Took drawing = took([&] { renderer_->draw(camera, result.drawn); });
+      timing.frame = {timing.cull.ms + drawing.ms, timing.cull.processor_ms + drawing.processor_ms};
       picture = {renderer_->image(), renderer_->item_buffer(camera, result.drawn)};
     }
     return timing;
@@ -97,9 +99,7 @@ class Walker {
   double draw_only(const culler::Camera& camera, const std::vector<std::uint32_t>& polygons) const {
     std::vector<PolygonRange> ranges;
     for (const std::uint32_t p : polygons) culler::append_range(ranges, {p, 1});
-    const Stopwatch drawing;
-    renderer_->draw(camera, ranges);
-    return drawing.milliseconds();
+    return took([&] { renderer_->draw(camera, ranges); }).ms;
   }
 
   Picture draw(const culler::Camera& camera, std::span<const PolygonRange> ranges) const {

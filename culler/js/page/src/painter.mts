@@ -8,7 +8,7 @@ import {triangleCount, type Model} from "./model.mjs";
 import type {Picture} from "./picture.mjs";
 import {subtract, type Point} from "./points.mjs";
 import {link, type Program} from "./programs.mjs";
-import {Screen, setFilter, Targets, type Target} from "./screen.mjs";
+import {readNumbers, Screen, setFilter, Targets, type Target} from "./screen.mjs";
 import * as shaders from "./shaders.mjs";
 
 /** A part of the canvas, in its pixels from the lower left. */
@@ -61,8 +61,6 @@ export class Painter {
     this.#screen = new Screen(gl);
     this.#lines = new Lines(gl);
     this.#fates = gl.createTexture();
-    gl.depthFunc(gl.GREATER);
-    gl.clearDepth(0);
   }
 
   setModel(model: Model): void {
@@ -106,7 +104,7 @@ export class Painter {
     const gl = this.#gl, {width, height} = viewport;
     const target = this.#targets.of("colours", width, height);
     // Edges against the sky are mixed with that.
-    this.#begin(target, look.isDark ? haze.dark : haze.light);
+    this.#targets.begin(target, look.isDark ? haze.dark : haze.light);
     const {uniforms} = this.#use(this.#colour, camera, look.ceiling);
     gl.uniform1i(uniforms.showsFates!, Number(look.showsFates));
     gl.uniform1i(uniforms.showsClay!, Number(look.showsClay));
@@ -140,38 +138,23 @@ export class Painter {
   /** Which triangle each pixel shows, of a frame or of all. */
   numbers(camera: Camera, width: number, height: number, frame?: Frame): Picture {
     const target = this.#drawNumbers(camera, width, height, Infinity, true, frame);
-    return {triangles: this.#numbersIn(0, 0, target.width, target.height), width, height, camera};
+    return {triangles: readNumbers(this.#gl, 0, 0, target.width, target.height), width, height, camera};
   }
 
   /** The triangle at a pixel from the lower left, if any. */
   triangleAt(camera: Camera, [x, y]: readonly [number, number], {width, height}: Viewport, ceiling: number): number | undefined {
     this.#drawNumbers(camera, width, height, ceiling, false);
-    const [number] = this.#numbersIn(Math.floor(x), Math.floor(y), 1, 1);
+    const [number] = readNumbers(this.#gl, Math.floor(x), Math.floor(y), 1, 1);
     return number! > 0 ? number! - 1 : undefined;
   }
 
   #drawNumbers(camera: Camera, width: number, height: number, ceiling: number, isOpaqueOnly: boolean, frame?: Frame): Target {
     const gl = this.#gl, target = this.#targets.of("numbers", width, height);
-    this.#begin(target);
+    this.#targets.begin(target);
     const {uniforms} = this.#use(this.#number, camera, ceiling);
     gl.uniform1i(uniforms.isOpaqueOnly!, Number(isOpaqueOnly));
     this.#draw(frame);
     return target;
-  }
-
-  #numbersIn(x: number, y: number, width: number, height: number): Uint32Array {
-    const gl = this.#gl, bytes = new Uint8Array(4 * width * height);
-    gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return new Uint32Array(bytes.buffer);
-  }
-
-  #begin({buffer, width, height}: Target, background: Rgb = [0, 0, 0]): void {
-    const gl = this.#gl;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, buffer);
-    gl.viewport(0, 0, width, height);
-    gl.enable(gl.DEPTH_TEST);
-    gl.clearColor(...background, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
   #use(program: Program, camera: Camera, ceiling: number): Program {

@@ -9,8 +9,25 @@
 export const kDepth = "gl_FragDepth = near > 0.0 ? near * gl_FragCoord.w : 1.0 - gl_FragCoord.z;";
 
 /** Of what light comes through every second pixel is left out, as on a chessboard: whatever is drawn first, what is behind shows. */
-export const kSeeThrough = `
+const kSeeThrough = `
 bool isBetween() { return ((int(gl_FragCoord.x) + int(gl_FragCoord.y)) & 1) == 0; }`;
+
+/** What fragments of a model's triangles have in common. */
+export const kModelInputs = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp usampler2D;
+uniform vec3 up;
+uniform float ceiling;  // what is higher than that above the eye is cut off
+uniform float near;
+flat in uint triangle;
+in vec3 place;${kSeeThrough}
+bool isLeftOut(bool isSeeThrough) { return dot(place, up) > ceiling || isSeeThrough && isBetween(); }
+/** The number of the triangle from 1, in four bytes, as readNumbers() takes them. */
+vec4 numberInBytes() {
+  uint n = triangle + 1u;
+  return vec4(n & 255u, (n >> 8) & 255u, (n >> 16) & 255u, n >> 24) / 255.0;
+}`;
 
 /** Surfaces under a sky and a sun. Slopes are the cosines to what is level. */
 export const kLight = `

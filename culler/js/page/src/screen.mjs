@@ -3,6 +3,8 @@
 import {haze, sky} from "./colours.mjs";
 import {link} from "./programs.mjs";
 
+/** @import {Rgb} from "./colours.mjs" */
+
 /**
  * @typedef {object} Target A picture that is drawn into.
  * @property {WebGLFramebuffer} buffer
@@ -45,6 +47,23 @@ export class Targets {
   }
 
   /**
+   * Draws into a target from now on, in front of nothing.
+   * @param {Target} target
+   * @param {Rgb} [background]
+   */
+  begin({buffer, width, height}, background = [0, 0, 0]) {
+    const {gl} = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, buffer);
+    gl.viewport(0, 0, width, height);
+    gl.depthMask(true);
+    gl.clearColor(...background, 0);
+    gl.clearDepth(0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.GREATER);
+  }
+
+  /**
    * @param {number} format
    * @param {number} width
    * @param {number} height
@@ -80,6 +99,20 @@ export function setFilter(gl, filter) {
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+}
+
+/**
+ * The numbers of triangles in a part of the target that is drawn into, as numberInBytes() of programs.mjs wrote them.
+ * @param {WebGL2RenderingContext} gl
+ * @param {number} x
+ * @param {number} y
+ * @param {number} width
+ * @param {number} height
+ */
+export function readNumbers(gl, x, y, width, height) {
+  const bytes = new Uint8Array(4 * width * height);
+  gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  return new Uint32Array(bytes.buffer);
 }
 
 /** The whole picture as one triangle. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The programs of the page (OpenGL ES 3.0).
-import {kDepth, kLight, kSeeThrough} from "./programs.mjs";
+import {kDepth, kLight, kModelInputs} from "./programs.mjs";
 
 /** Triangles in a row of the texture of fates. */
 export const kFatesWide = 4096;
@@ -27,23 +27,15 @@ void main() {
   ${body}
 }`;
 
-const kModelInputs = `#version 300 es
-precision highp float;
-precision highp int;
-uniform float near;
-uniform vec3 up;
-uniform float ceiling;  // what is higher than that above the eye is cut off
-flat in uint triangle;
+const kInputs = `${kModelInputs}
 flat in float opacity;
-in vec3 place;
-in vec3 tint;${kSeeThrough}
-bool isLeftOut() { return dot(place, up) > ceiling || opacity < 0.5 && isBetween(); }`;
+in vec3 tint;
+bool isSeeThrough() { return opacity < 0.5; }`;
 
 export const colourVertices = modelVertices("");
 
 /** Lit by a sky and a sun. With fates, what is culled has its colour; what is marked has another. */
-export const colourFragments = `${kModelInputs}${kLight}
-precision highp usampler2D;
+export const colourFragments = `${kInputs}${kLight}
 uniform usampler2D fates;
 uniform bool showsFates, showsClay, showsHidden, showsOutOfView;
 uniform vec3 hidden, outOfView, marked;
@@ -53,7 +45,7 @@ out vec4 colour;
 
 void main() {
   uint fate = showsFates ? texelFetch(fates, ivec2(triangle % ${kFatesWide}u, triangle / ${kFatesWide}u), 0).r : 0u;
-  if (isLeftOut() || fate == 1u && !showsHidden || fate == 2u && !showsOutOfView) discard;
+  if (isLeftOut(isSeeThrough()) || fate == 1u && !showsHidden || fate == 2u && !showsOutOfView) discard;
   vec3 normal = normalAt(place, up);
   bool isMarked = triangle >= markedRange.x && triangle < markedRange.y;
   vec3 base = showsClay ? clay(abs(dot(normal, up))) : tint;
@@ -64,14 +56,12 @@ void main() {
   ${kDepth}
 }`;
 
-/** The number of the triangle from 1, in four bytes. */
 export const numberVertices = modelVertices("");
-export const numberFragments = `${kModelInputs}
+export const numberFragments = `${kInputs}
 uniform bool isOpaqueOnly;
 out vec4 number;
 void main() {
-  if (isLeftOut() || isOpaqueOnly && opacity < 0.5) discard;
-  uint n = triangle + 1u;
-  number = vec4(n & 255u, (n >> 8) & 255u, (n >> 16) & 255u, n >> 24) / 255.0;
+  if (isLeftOut(isSeeThrough()) || isOpaqueOnly && isSeeThrough()) discard;
+  number = numberInBytes();
   ${kDepth}
 }`;

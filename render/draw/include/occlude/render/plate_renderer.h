@@ -52,6 +52,8 @@ struct PlateExtras {
   std::span<const LegendEntry> legend = {};
   /// The polygons that keep the sun out, if not those of the layers.
   std::optional<culler::PolygonRange> casters = {};
+  /// The model is cut open, for the sun as well.
+  std::optional<Cut> cut = {};
 };
 
 class PlateRenderer {

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +17,12 @@
 namespace occlude::render {
 
 using culler::PolygonRange;
+
+/// What is higher along `up`, a unit vector, is left out.
+struct Cut {
+  glm::dvec3 up{0, 0, 1};
+  double height = 0;
+};
 
 class SceneRenderer {
  public:
@@ -42,9 +50,9 @@ class SceneRenderer {
 
   /// The polygons that draw() shows at each pixel, from the same vertices and rasterisation, in a separate pass: it does not
   /// slow draw() down and keeps the last picture. `offset` moves the picture right and up, in pixels, to sample points
-  /// between the pixel centres.
+  /// between the pixel centres. `cut` opens the model: then it is no longer what draw() shows.
   [[nodiscard]] ItemBuffer item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges,
-                                       const glm::dvec2& offset = {0, 0});
+                                       const glm::dvec2& offset = {0, 0}, const std::optional<Cut>& cut = {});
 
  private:
   struct Impl;

@@ -17,11 +17,12 @@ namespace occlude::render {
 /// Means per frame. The optional numbers need pictures.
 struct MethodRow {
   std::string method;
-  std::optional<culler::Method> by;       ///< by which what is hidden is culled; none: it is not
-  double drawn = 0;                       ///< polygons
-  double culled_share = 0;                ///< of the polygons in the view frustum
-  std::optional<double> hidden_culled;    ///< share of the hidden polygons in view
-  double cull_ms = 0, worst_cull_ms = 0;  ///< 0 if nothing was culled
+  std::optional<culler::Method> by;         ///< by which what is hidden is culled; none: it is not
+  double drawn = 0;                         ///< polygons
+  double culled_share = 0;                  ///< of the polygons in the view frustum
+  std::optional<double> hidden_culled;      ///< share of the hidden polygons in view
+  double cull_ms = 0, worst_cull_ms = 0;    ///< 0 if nothing was culled
+  std::optional<double> cull_processor_ms;  ///< of culling what is hidden
   /// And by the view frustum alone in the same walk, as the machine was then; their ratio is the speedup.
   std::optional<double> frame_ms, frame_ms_view_frustum_only, speedup;
   /// Over all frames; pixels that the renderer's rounding does not explain. Empty where nothing is culled by shadow.
@@ -41,7 +42,7 @@ struct MethodWalk {
 [[nodiscard]] Methods methods_of(const std::vector<MethodWalk>& walks, bool is_drawn);
 
 /// The options of the same walk by each other method, with leaves of the size that is best for it if that is so now. Of a
-/// walk that holds: by the same method, culled in each frame.
+/// walk that holds: by the same method, culled in each frame. What they find goes nowhere but into the report.
 [[nodiscard]] std::vector<WalkOptions> options_beside(const WalkOptions& options);
 /// Walks without a report. REQUIRES: the culler is that of make_culler() with these options.
 [[nodiscard]] WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options);

@@ -27,7 +27,9 @@ struct Summary {
     std::optional<double> hidden_polygons;  ///< in the view frustum, without a pixel in the item buffer
     double occluders = 0, candidates = 0, sort_moves = 0;
     double cull_ms = 0, witness_ms = 0;
+    double view_frustum_cull_ms = 0, cull_processor_ms = 0;  ///< of the processor: by all threads of the program
     std::optional<double> frame_ms, frame_ms_view_frustum_only, frame_ms_visible_only;
+    std::optional<double> frame_processor_ms, frame_processor_ms_view_frustum_only;
   };
 
   /// Whether the speedup is above its limit by polygons, and if so, whether that may be the noise of the measured times.
@@ -35,7 +37,7 @@ struct Summary {
 
   /// Over the frames.
   struct Spreads {
-    std::optional<Spread> cull_ms, frame_ms, speedup;
+    std::optional<Spread> cull_ms, cull_processor_ms, frame_ms, frame_processor_ms, speedup;
   };
 
   /// Of a walk that holds.
@@ -67,6 +69,7 @@ struct Summary {
   kernel::Operations operations;
   double preprocess_s = 0;
   Machine machine;
+  std::optional<double> load;  ///< of it when the walk began
 };
 
 /// Beside no other method. REQUIRES: at least one frame.
@@ -88,6 +91,9 @@ template <class Member>
 
 /// Why the speedup is above its limit by polygons; empty if it is not.
 [[nodiscard]] std::string limit_note(const Summary& summary);
+
+/// What shows that others had the processors, too, so that times by the clock are too long; empty if nothing does.
+[[nodiscard]] std::string busy_note(const Summary& summary);
 
 /// Table 2 of the paper beside the figures of this run, their spread, and the checks.
 [[nodiscard]] std::string text_of(const Summary& summary, const Paint& paint = {});

@@ -2,6 +2,7 @@
 // The output files of a walk.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,12 +34,26 @@ class WalkFiles : public WalkOutput {
   void add_frame(const ShownFrame& frame) override;
   void add_witness(std::string_view line) override;
   void add_plate(const Plate& plate, const Image& image) override;
-  /// Writes the reports. All files are complete then.
-  void write(const WalkResult& result, const Summary& summary, const CameraPath& path);
+  /// Takes what another method shows of the same frames, for the report.
+  [[nodiscard]] WalkOutput& add_method();
+  /// Writes the reports. All files are complete then. `walks` has the walk of the summary, then those of add_method() in
+  /// their order.
+  void write(const std::vector<MethodWalk>& walks, const Summary& summary, const CameraPath& path);
   /// Gives all files their names.
   void commit();
 
  private:
+  /// The page alone.
+  class Recorded : public WalkOutput {
+   public:
+    void add_model(const culler::Culler& culler) override { recording.emplace(culler); }
+    void add_frame(const ShownFrame& frame) override { recording->add_frame(frame); }
+    void add_witness(std::string_view /*line*/) override {}
+    void add_plate(const Plate& /*plate*/, const Image& /*image*/) override {}
+
+    std::optional<WalkRecording> recording;
+  };
+
   [[nodiscard]] std::vector<OutputFile*> files();
 
   const WalkOptions& options_;
@@ -46,7 +61,7 @@ class WalkFiles : public WalkOutput {
   OutputFile csv_, report_, summary_;
   std::optional<OutputFile> path_, witness_, log_;
   PictureSet pictures_;
-  std::optional<WalkRecording> recording_;
+  std::deque<Recorded> recorded_;                 ///< the first is that of the walk itself
   const culler::Hierarchy* hierarchy_ = nullptr;  ///< of the model
   std::vector<PagePicture> page_pictures_;
   std::string command_;

@@ -16,12 +16,15 @@ struct PagePicture {
   std::string png;
 };
 
+/// A walk that the page shows.
+struct PageWalk {
+  MethodWalk walk;
+  const WalkRecording* recording;
+};
+
 /// What the page shows besides the summary.
 struct WalkPageContent {
-  const std::vector<FrameRecord>& frames;
-  const std::vector<RegionRecord>& regions;                  ///< as in WalkResult
-  const std::vector<culler::MissedReasons::Counts>& missed;  ///< as in WalkResult
-  const WalkRecording& recording;
+  std::vector<PageWalk> walks;        ///< of the same frames; the first is that of the summary
   std::vector<PagePicture> pictures;  ///< shown where the browser cannot draw the model
   std::string command;                ///< the command line of the walk; may be empty
   std::string path;                   ///< the file of its path

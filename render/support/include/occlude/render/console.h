@@ -26,7 +26,9 @@ void print(std::string_view text);
 /// Flushes standard output. Throws InputError when anything printed could not be written.
 void finish_printing();
 
-/// Writes a message to standard error.
+/// Writes a message to standard error, in place of a line that shows how far work is.
 void say(std::string_view text);
+/// Writes such a line in place of the one before, and leaves it open.
+void say_in_place(std::string_view line);
 
 }  // namespace occlude::render

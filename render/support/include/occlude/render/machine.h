@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 namespace occlude::render {
@@ -15,6 +16,9 @@ struct Machine {
 };
 
 [[nodiscard]] Machine this_machine(const std::string& renderer = {});
+
+/// How many processes wanted to run in the last minute, on average, of all users; none where the system does not tell.
+[[nodiscard]] std::optional<double> load_of_machine();
 
 /// All but the renderer, in a line.
 [[nodiscard]] std::string text_of(const Machine& machine);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "occlude/render/interrupt.h"
@@ -29,6 +30,16 @@ class Progress {
   std::size_t total_;
   Clock::time_point start_, last_;
   bool has_line_, shown_ = false;
+};
+
+/// Shows "LABEL, s: SECONDS" in the same way while it lives, of work that does not tell how far it is. One at a time, and
+/// none beside a Progress.
+class ShownStage {
+ public:
+  explicit ShownStage(std::string label);
+
+ private:
+  std::jthread shower_;
 };
 
 /// From now on progress is shown although stderr is no terminal, because what reads it writes to one.

@@ -2,6 +2,9 @@
 // The paper's plates: the view of the camera, and the same frame from outside with the culled polygons in colour.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "occlude/culler/culler.h"
@@ -15,6 +18,11 @@ struct DrawnPlate {
   Plate plate;
   Image image;
 };
+
+/// Whether a file of plates/ is called as those of draw_plates().
+[[nodiscard]] bool is_plate(const std::string& name);
+/// The frame of a plate from outside; none if the name is not that of one.
+[[nodiscard]] std::optional<std::size_t> frame_of_outside_plate(const std::string& name);
 
 /// The view of the camera and a view from outside, for up to four of `frames`: those in which the most is culled, the most
 /// is drawn in vain, the most is seen, and one with the usual share of culled polygons. Each is culled after the same frames

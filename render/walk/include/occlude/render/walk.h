@@ -41,6 +41,7 @@ struct WalkOptions {
   culler::BuildConfig build;
   std::filesystem::path preprocess;                       ///< store of the model, used instead of `build`; or empty
   bool render = true;                                     ///< draw and compare; if false, only culling is measured
+  bool plates = true;                                     ///< of some frames, if they are drawn
   std::optional<std::filesystem::path> witness;           ///< file for the proofs of all culls (JSON Lines)
   std::optional<std::filesystem::path> log;               ///< file for what each frame drew, for `occlude audit`
   std::function<void(const ShadowTest&)> on_shadow_test;  ///< called for each test on about 48 frames
@@ -88,6 +89,8 @@ struct FrameRecord {
   std::size_t visible_polygons = 0;       ///< with a pixel in the item buffer
   double view_frustum_cull_ms = 0, view_frustum_frame_ms = 0;
   double cull_ms = 0, frame_ms = 0;
+  /// The same by the time of the processor, of all threads of the program.
+  double view_frustum_frame_processor_ms = 0, cull_processor_ms = 0, frame_processor_ms = 0;
   bool is_occlusion_first = false;  ///< the two methods take turns in going first
   double visible_frame_ms = 0;      ///< time to draw only the visible polygons, without culling
   double witness_ms = 0;            ///< time to keep the proofs of all culls in memory, on top of cull_ms
@@ -127,7 +130,8 @@ struct WalkResult {
   std::size_t witnesses = 0;
   kernel::Operations operations;  ///< of the shadow tests on the reference frames, in plain arithmetic
   double preprocess_s = 0;
-  std::string renderer;  ///< the driver's own name for itself
+  std::optional<double> load;  ///< of the machine when the walk began (load_of_machine()), if it is known
+  std::string renderer;        ///< the driver's own name for itself
 };
 
 /// A counted frame.
