@@ -153,7 +153,7 @@ class Baker {
       for (std::size_t p = 0; p < of_any.size(); ++p) {
         if (hidden.back()[p]) of_any[p] = faces[tree.face(p)] = true;
       }
-      lines.push_back(render::claim_from(std::span(&cells_[cell], 1), faces));
+      std::ranges::move(render::claims_from(std::span(&cells_[cell], 1), faces), std::back_inserter(lines));
     }
     kernel::Aabb from{};
     const std::vector<bool>* wanted = &of_any;

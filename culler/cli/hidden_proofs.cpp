@@ -29,8 +29,11 @@ void append_hidden(std::vector<std::string>& lines, const culler::Hierarchy& hie
   for (const culler::CoverWitness& cover : covers) {
     const auto first = std::ranges::lower_bound(polygons, cover.range.first),
                end = std::ranges::lower_bound(first, polygons.end(), cover.range.first + cover.range.count);
-    if (first == end) continue;
-    lines.push_back(render::hidden_witness(hierarchy, {first, end}, from, picture, drawn, cover));
+    const std::span<const std::uint32_t> hidden(first, end);
+    for (std::size_t i = 0; i < hidden.size(); i += render::kMostInLine) {
+      const auto part = hidden.subspan(i, std::min(render::kMostInLine, hidden.size() - i));
+      lines.push_back(render::hidden_witness(hierarchy, part, from, picture, drawn, cover));
+    }
   }
 }
 

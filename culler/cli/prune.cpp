@@ -233,7 +233,7 @@ std::vector<std::string> proofs_by_shells(const culler::Hierarchy& tree, const E
   std::vector<std::string> lines;
   for (std::size_t shell = 0; shell < inside.size(); ++shell) {
     const std::span<const culler::FanTriangle> all = inside[shell];
-    const std::size_t of_line = std::max(kLeast, enclosed.shells[shell].size());
+    const std::size_t of_line = std::clamp(enclosed.shells[shell].size(), kLeast, render::kMostInLine);
     for (std::size_t i = 0; i < all.size(); i += of_line) {
       lines.push_back(
           render::shell_witness(tree, all.subspan(i, std::min(of_line, all.size() - i)), enclosed.shells[shell]));
@@ -269,8 +269,8 @@ void write_prune_proofs(render::OutputFile& file, const PruneArguments& argument
   const culler::Hierarchy& tree = culler.hierarchy();
   const std::vector<bool> faces = chosen_faces(gone, arguments.proofs);
   const bool is_outside = arguments.from == kOutside;
-  write_lines(file, {is_outside ? render::claim_outside(box_around(tree.nodes()[0].box), arguments.touching, faces)
-                                : render::claim_from(cells, faces)});
+  write_lines(file, is_outside ? render::claims_outside(box_around(tree.nodes()[0].box), arguments.touching, faces)
+                               : render::claims_from(cells, faces));
   write_lines(file, proofs_by_shells(tree, unseen.enclosed, faces));
   constexpr std::size_t kTogether = 64;
   const culler::CullOptions cull = cull_options_of(arguments.search);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 
 #include "witness_text.h"
@@ -10,27 +11,31 @@
 namespace occlude::render {
 namespace {
 
-/// [first, count] of each run of those that are true.
-std::string runs_of(const std::vector<bool>& faces) {
+/// The claim of each part of the faces, of which `about` says what is claimed.
+std::vector<std::string> claims(const std::vector<bool>& faces, const std::string& about) {
   std::vector<culler::PolygonRange> runs;
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     if (!faces[i]) continue;
     const bool is_next = !runs.empty() && runs.back().first + runs.back().count == i;
     is_next ? void(++runs.back().count) : runs.push_back({i, 1});
   }
-  return text::list(runs, [](const culler::PolygonRange& run) { return fmt::format("[{},{}]", run.first, run.count); });
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i == 0 || i < runs.size(); i += kMostInLine) {
+    const auto part = std::span(runs).subspan(i, std::min(kMostInLine, runs.size() - i));
+    const auto name = [](const culler::PolygonRange& run) { return fmt::format("[{},{}]", run.first, run.count); };
+    lines.push_back(fmt::format(R"({{"claim":{},{}}})", text::list(part, name), about));
+  }
+  return lines;
 }
 
 }  // namespace
 
-std::string claim_from(std::span<const kernel::Aabb> boxes, const std::vector<bool>& faces) {
-  return fmt::format(R"({{"claim":{},"from":{}}})", runs_of(faces),
-                     text::list(boxes, [](const kernel::Aabb& box) { return text::box(box); }));
+std::vector<std::string> claims_from(std::span<const kernel::Aabb> boxes, const std::vector<bool>& faces) {
+  return claims(faces, R"("from":)" + text::list(boxes, [](const kernel::Aabb& box) { return text::box(box); }));
 }
 
-std::string claim_outside(const kernel::Aabb& box, bool may_touch, const std::vector<bool>& faces) {
-  return fmt::format(R"({{"claim":{},"outside":{}{}}})", runs_of(faces), text::box(box),
-                     may_touch ? R"(,"touching":true)" : "");
+std::vector<std::string> claims_outside(const kernel::Aabb& box, bool may_touch, const std::vector<bool>& faces) {
+  return claims(faces, R"("outside":)" + text::box(box) + (may_touch ? R"(,"touching":true)" : ""));
 }
 
 std::string hidden_witness(const culler::Hierarchy& hierarchy, std::span<const std::uint32_t> polygons,

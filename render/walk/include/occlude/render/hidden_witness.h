@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -14,12 +15,17 @@
 
 namespace occlude::render {
 
-/// The claim that faces of the model are hidden from everywhere in all of these boxes. `faces` has a value for each.
-[[nodiscard]] std::string claim_from(std::span<const kernel::Aabb> boxes, const std::vector<bool>& faces);
+/// So many numbers of polygons fit into a line of at most kMostJson bytes, beside all else.
+inline constexpr std::size_t kMostInLine = std::size_t{1} << 18U;
+
+/// The claim that faces of the model are hidden from everywhere in all of these boxes, in one line or more. `faces` has a
+/// value for each.
+[[nodiscard]] std::vector<std::string> claims_from(std::span<const kernel::Aabb> boxes, const std::vector<bool>& faces);
 
 /// The claim that they are hidden from everywhere outside of the hull of the model, which is in the box. If they may touch
 /// what hides them, that is claimed but for points of the borders of their triangles.
-[[nodiscard]] std::string claim_outside(const kernel::Aabb& box, bool may_touch, const std::vector<bool>& faces);
+[[nodiscard]] std::vector<std::string> claims_outside(const kernel::Aabb& box, bool may_touch,
+                                                      const std::vector<bool>& faces);
 
 /// What hides polygons in the box of the cover from all eyes in `from`. `drawn` is the half-space in which sheets count.
 /// REQUIRES: the camera has these eyes, and the cover is of its frame.
