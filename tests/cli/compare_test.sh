@@ -26,6 +26,9 @@ compare a less
 grep -q '^not the same: options.occluders: 8 and 0$' stdout || fail "options that differ: $(cat stdout)"
 grep -qE '^culled_share .* worse$' stdout || fail "culling less is not marked: $(cat stdout)"
 grep -qE '^mean.rendered_polygons .* worse$' stdout || fail "drawing more is not marked: $(cat stdout)"
+walk --out region --region 0.01
+compare a region
+grep -q '^not the same: options.region: null and 0.01$' stdout || fail "walks that hold for a region: $(cat stdout)"
 compare less a
 grep -qE '^culled_share .* better$' stdout || fail "culling more is not marked: $(cat stdout)"
 "$occlude" compare a less --fail-if-worse >stdout

@@ -21,7 +21,7 @@ MethodRow row(const std::string& method, const WalkResult& walk, bool is_drawn, 
   row.culled_share = viewed == 0 ? 0 : 1 - row.drawn / viewed;
   if (is_drawn) {
     const double hidden = mean_hidden(walk);
-    if (hidden > 0) row.hidden_culled = (viewed - row.drawn) / hidden;
+    if (hidden > 0) row.hidden_culled = std::min((viewed - row.drawn) / hidden, 1.0);  // means round
     row.frame_ms = mean(walk, frame_ms);
     row.frame_ms_view_frustum_only = mean(walk, &FrameRecord::view_frustum_frame_ms);
     row.speedup = *row.frame_ms_view_frustum_only / *row.frame_ms;

@@ -198,6 +198,7 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   summary.witnesses = result.witnesses;
   summary.operations = result.operations;
   summary.preprocess_s = result.preprocess_s;
+  summary.region = result.region;
   summary.machine = this_machine(result.renderer);
   summary.load = result.load;
   return summary;
@@ -295,6 +296,12 @@ Json json_of(const WalkOptions& options, const culler::BuildConfig& build) {
           {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(printable(options.preprocess.native()))}};
 }
 
+Json options_of(const Summary& summary) {
+  Json options = json_of(summary.options, summary.build);
+  options["region"] = summary.region > 0 ? Json(summary.region) : Json();
+  return options;
+}
+
 Json json_of(const std::optional<Spread>& spread) {
   if (!spread) return nullptr;
   return {{"median", spread->median},
@@ -313,7 +320,7 @@ Json json_of(const Summary& summary) {
             {"triangles", summary.triangles},
             {"frames", summary.frames},
             {"method", name_of(summary.options.cull.method)},
-            {"options", json_of(summary.options, summary.build)},
+            {"options", options_of(summary)},
             {"mean",
              {{"view_frustum_polygons", mean.view_frustum_polygons},
               {"rendered_polygons", mean.rendered_polygons},

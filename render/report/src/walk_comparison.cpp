@@ -122,6 +122,7 @@ constexpr auto kConditions = std::to_array<Condition>({
     {"options.regions", Type::text},
     {"options.unions", Type::flag},
     {"options.hold", Type::amount},
+    {"options.region", Type::amount},
     {"options.preprocess", Type::text},
     {"machine.processor", Type::text},
     {"machine.threads", Type::whole},

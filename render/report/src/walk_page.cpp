@@ -239,7 +239,7 @@ std::string walk_page(const Summary& summary, const WalkPageContent& content) {
       {"pictures", [&] { return pictures_html(content.pictures); }},
       {"conditions", [&] { return conditions(summary); }},
       {"command", [&] { return escaped(content.command); }},
-      {"options", [&] { return escaped(json_of(summary.options, summary.build).dump(2)); }},
+      {"options", [&] { return escaped(options_of(summary).dump(2)); }},
       {"machine", [&] { return escaped(machine_of(summary.machine)); }},
       {"version", [] { return std::string(OCCLUDE_VERSION); }},
       {"parts", [&] { return parts(summary, content); }}};

@@ -136,6 +136,7 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
   result.see_through_polygons = static_cast<std::size_t>(std::ranges::count(soup.see_through, 1));
   result.triangles = soup.indices.size() - 2 * soup.size();
   result.build = culler.config();
+  result.region = path.eyes.radius;
   result.renderer = drawing.description();
   Walker walker(culler, path, options, drawing.renderer.get());
   {

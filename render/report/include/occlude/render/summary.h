@@ -68,6 +68,7 @@ struct Summary {
   std::size_t reference_frames = 0, witnesses = 0;
   kernel::Operations operations;
   double preprocess_s = 0;
+  double region = 0;  ///< as WalkResult has it
   Machine machine;
   std::optional<double> load;  ///< of it when the walk began
 };
@@ -97,6 +98,9 @@ template <class Member>
 
 /// Table 2 of the paper beside the figures of this run, their spread, and the checks.
 [[nodiscard]] std::string text_of(const Summary& summary, const Paint& paint = {});
+
+/// What the walk was told to do: a member of summary.json.
+[[nodiscard]] nlohmann::ordered_json options_of(const Summary& summary);
 
 /// The contents of summary.json.
 [[nodiscard]] nlohmann::ordered_json json_of(const Summary& summary);

@@ -122,6 +122,7 @@ struct WalkResult {
   std::size_t polygons = 0, triangles = 0;  ///< of the model; each piece of a face counts
   std::size_t see_through_polygons = 0;     ///< of the model
   culler::BuildConfig build;                ///< how the model was prepared: by the options or in its store
+  double region = 0;                        ///< how far from the path eyes may be, for which each frame holds
   std::vector<FrameRecord> frames;
   std::vector<RegionRecord> regions;  ///< in their order; those of frames that are not counted, too
   /// For each frame why it drew what is hidden; empty if the walk does not render.
