@@ -16,12 +16,12 @@ MethodRow row(const std::string& method, const WalkResult& walk, bool is_drawn, 
               double FrameRecord::*cull_ms, double FrameRecord::*frame_ms) {
   MethodRow row;
   row.method = method;
+  row.in_view = mean(walk, &FrameRecord::view_frustum_polygons);
   row.drawn = mean(walk, drawn);
-  const double viewed = mean(walk, &FrameRecord::view_frustum_polygons);
-  row.culled_share = viewed == 0 ? 0 : 1 - row.drawn / viewed;
+  row.culled_share = row.in_view == 0 ? 0 : 1 - row.drawn / row.in_view;
   if (is_drawn) {
     const double hidden = mean_hidden(walk);
-    if (hidden > 0) row.hidden_culled = std::min((viewed - row.drawn) / hidden, 1.0);  // means round
+    if (hidden > 0) row.hidden_culled = std::min((row.in_view - row.drawn) / hidden, 1.0);  // means round
     row.frame_ms = mean(walk, frame_ms);
     row.frame_ms_view_frustum_only = mean(walk, &FrameRecord::view_frustum_frame_ms);
     row.speedup = *row.frame_ms_view_frustum_only / *row.frame_ms;
@@ -116,6 +116,7 @@ std::string method_text(const WalkOptions& options) {
 Table table_of(const Methods& methods) {
   Table table{"",
               {{"Averages per frame", "method"},
+               {"in view", "in_view"},
                {"drawn", "drawn"},
                {"culled", "culled_share", percent},
                {"of the hidden", "hidden_culled", percent},
@@ -129,7 +130,7 @@ Table table_of(const Methods& methods) {
                {"false culls", "false_culls"}},
               {}};
   for (const MethodRow& m : methods) {
-    table.rows.push_back({m.method, m.drawn, m.culled_share, if_known(m.hidden_culled), m.cull_ms,
+    table.rows.push_back({m.method, m.in_view, m.drawn, m.culled_share, if_known(m.hidden_culled), m.cull_ms,
                           if_known(m.cull_processor_ms), m.worst_cull_ms, if_known(m.frame_ms),
                           if_known(m.frame_ms_view_frustum_only), if_known(m.speedup), if_known(m.wrong_pixels),
                           if_known(m.false_culls)});
