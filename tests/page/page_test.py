@@ -313,7 +313,7 @@ class Viewing(Page):
             const {viewer} = page, outside = viewer.outside(), {eye} = viewer.camera;
             const way = eye.map((c, i) => c - outside.eye[i]);
             const seen = cut => {
-              const [number] = viewer.numbersIn({...outside, target: eye, fov_y_deg: 1, aspect: 1}, {...viewer.layers, cut}, 1, 1);
+              const [number] = viewer.numbersIn({...outside, target: eye, fovY: 1, aspect: 1}, {...viewer.layers, cut}, 1, 1);
               return number !== 0 && viewer.shareOf(outside.eye, way, number - 1) < 0.999;
             };
             viewer.see();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the viewer draws with, beside lines: the model, boxes and faces.
 
+const isParallel = camera => camera.fovY === undefined;
+
 /** As depths take it (programs.mjs). */
-const nearOf = camera => camera.projection === 'orthographic' ? 0 : camera.near;
+const nearOf = camera => isParallel(camera) ? 0 : camera.near;
 
 /** A vertex array whose attributes lie in buffers of their own. */
 class Arrays {
@@ -89,7 +91,7 @@ class ModelPainter {
     const gl = this.gl;
     gl.useProgram(program);
     gl.bindVertexArray(this.arrays.array);
-    gl.uniformMatrix4fv(uniforms.projection, false, projection(camera));
+    gl.uniformMatrix4fv(uniforms.projection, false, projectionOf(camera, camera.window));
     const onGrid = camera.eye.map((c, axis) => (c - this.model.low[axis]) / this.model.step), cell = onGrid.map(Math.floor);
     gl.uniform3iv(uniforms.eyeCell, cell);
     gl.uniform3fv(uniforms.eyeRest, subtract(onGrid, cell));
@@ -153,7 +155,7 @@ class BoxPainter {
     const colours = new Float32Array(4 * boxes.length);
     boxes.forEach((box, i) => colours.set(box.colour, 4 * i));
     this.arrays.set(2, colours, 4, {everyInstance: 1});
-    gl.uniformMatrix4fv(uniforms.projection, false, projection(camera));
+    gl.uniformMatrix4fv(uniforms.projection, false, projectionOf(camera));
     gl.uniform1f(uniforms.near, nearOf(camera));
     gl.drawArraysInstanced(gl.LINES, 0, 2 * kEdges, boxes.length);
   }
@@ -173,7 +175,7 @@ class FacePainter {
     const corners = faces.flatMap(face => face.corners.flatMap(corner => subtract(corner, camera.eye)));
     this.arrays.set(0, new Float32Array(corners), 3);
     this.arrays.set(1, new Float32Array(faces.flatMap(face => face.corners.flatMap(() => face.colour))), 4);
-    gl.uniformMatrix4fv(uniforms.projection, false, projection(camera));
+    gl.uniformMatrix4fv(uniforms.projection, false, projectionOf(camera));
     gl.uniform1f(uniforms.near, nearOf(camera));
     gl.drawArrays(gl.TRIANGLES, 0, 3 * faces.length);
   }

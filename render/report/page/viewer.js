@@ -71,7 +71,7 @@ class Viewer {
     this.region = region;
     const before = this.camera;
     this.camera = {...this.lens, eye, target, up};
-    this.camera.far ??= this.farthest(eye);
+    if (isParallel(this.lens)) this.camera.far ??= this.farthest(eye);
     const depth = this.depthOfScene();
     const isNear = before && distance(before.eye, eye) < 0.1 * this.depth;
     this.depth = isNear ? this.depth + 0.15 * (depth - this.depth) : depth;  // no jumps from frame to frame
@@ -131,7 +131,7 @@ class Viewer {
     const eye = add(middle, scale(up, this.size));
     this.models.fates.set(new Uint16Array(this.model.leaves));
     this.targets.begin(target, background);
-    this.paintModel({projection: 'orthographic', height: size[1], aspect: size[0] / size[1], near: this.size / 100, far: 3 * this.size,
+    this.paintModel({height: size[1], aspect: size[0] / size[1], near: this.size / 100, far: 3 * this.size,
                      eye, target: middle, up: north}, {drawn: true});
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
     gl.blitFramebuffer(0, 0, ...pixels, 0, 0, ...pixels, gl.COLOR_BUFFER_BIT, gl.NEAREST);
@@ -157,8 +157,7 @@ class Viewer {
 
   /** The camera outside. */
   outside() {
-    const {fovY, ...camera} = this.orbit.camera({...this.camera, up: this.lens.up}, this.lens.aspect);
-    return {...camera, projection: 'perspective', fov_y_deg: fovY, far: this.orbit.distance + this.farthest(camera.target)};
+    return this.orbit.camera({...this.camera, up: this.lens.up}, this.lens.aspect);
   }
 
   farthest(point) {
@@ -197,7 +196,7 @@ class Viewer {
   /** So that one sees the camera from outside, the model is cut off below what stands between: at half its height above the camera. */
   openAbove() {
     const before = this.opening, {eye, near} = this.camera, outside = this.outside().eye, way = subtract(outside, eye);
-    const there = {projection: 'perspective', fov_y_deg: 1, aspect: 1, near, far: this.farthest(eye), eye, target: outside, up: this.lens.up};
+    const there = {fovY: 1, aspect: 1, near, eye, target: outside, up: this.lens.up};
     const [number] = this.numbersIn(there, {...this.layers, cut: false}, 1, 1);
     this.opening = number === 0 ? Infinity : this.shareOf(eye, way, number - 1) * dot(unit(this.lens.up), way) / 2;
     if (!(this.opening > 0)) this.opening = Infinity;
@@ -243,7 +242,7 @@ class Viewer {
     if (this.isOutside && this.layers.shadows) this.faces.draw(this.shadowFaces(), camera);
     const ratio = this.canvas.width / this.canvas.clientWidth;
     const near = nearOf(camera);
-    this.lines.draw(this.outlines(), {eye: camera.eye, near, projection: projection(camera)}, [width, height], 1.6 * ratio);
+    this.lines.draw(this.outlines(), {eye: camera.eye, near, projection: projectionOf(camera)}, [width, height], 1.6 * ratio);
     if (this.isOutside && this.layers.boxes) this.boxes.draw(this.treeBoxes(), camera);
     gl.depthMask(true);
     gl.disable(gl.BLEND);
@@ -252,7 +251,7 @@ class Viewer {
 
   /** Where an edge of a shadow ends. */
   beyond(corner) {
-    const along = this.lens.projection === 'orthographic' ? axesOf(this.camera).forward : unit(subtract(corner, this.camera.eye));
+    const along = isParallel(this.lens) ? axesOf(this.camera).forward : unit(subtract(corner, this.camera.eye));
     return add(corner, scale(along, kShadowReach * this.depth));
   }
 
@@ -277,8 +276,8 @@ class Viewer {
     const lines = [];
     const add = (from, to, colour, alpha) => lines.push({from, to, colour, alpha});
     if (this.isOutside && this.layers.frustum) {
-      const near = pictureCorners(this.camera, this.lens.projection === 'orthographic' ? 0 : this.camera.near);
-      const far = pictureCorners(this.camera, this.depth);
+      const near = cornersOf(this.camera, nearOf(this.camera));
+      const far = cornersOf(this.camera, this.depth);
       near.forEach((corner, i) => {
         add(corner, far[i], frustumColour);
         add(far[i], far[(i + 1) % 4], frustumColour);

@@ -3,8 +3,8 @@
 import type {Occlude} from "occlude";
 
 import {format, type Settings} from "./address.mjs";
-import {axesOf, levelAxes} from "./axes.mjs";
-import {halfSizeOf, moved, type Camera, type Place} from "./camera.mjs";
+import {levelAxes} from "./axes.mjs";
+import {moved, type Camera, type Place} from "./camera.mjs";
 import {frustumColour, wrongColour, occluderColour} from "./colours.mjs";
 import {Culling} from "./culling.mjs";
 import {everythingIn, type Frame} from "./frame.mjs";
@@ -18,6 +18,7 @@ import {Orbit} from "./orbit.mjs";
 import {Painter, type Look, type Viewport} from "./painter.mjs";
 import {kRate, Recorder} from "./path.mjs";
 import {add, dot, scale} from "./points.mjs";
+import {cornersOf} from "./projection.mjs";
 import {Walker} from "./walker.mjs";
 import {Asker, type Answer} from "./why.mjs";
 
@@ -403,10 +404,7 @@ export class App {
 
   /** What the camera sees, and the edges of what hides what was picked. */
   #frustum(): ColouredLine[] {
-    const {camera} = this, {right, up, forward} = axesOf(camera), [wide, high] = halfSizeOf(camera);
-    const far = Math.min(0.25 * this.model.box.size, 35 * this.unit);
-    const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) =>
-      add(camera.eye, scale(add(forward, add(scale(right, x! * wide), scale(up, y! * high))), far)));
+    const {camera} = this, corners = cornersOf(camera, Math.min(0.25 * this.model.box.size, 35 * this.unit));
     const view = corners.flatMap((corner, i): ColouredLine[] => [
       {from: camera.eye, to: corner, colour: frustumColour},
       {from: corner, to: corners[(i + 1) % 4]!, colour: frustumColour},

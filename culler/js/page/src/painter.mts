@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Draws a model: pictures for readers, and pictures of triangles' numbers for judges.
-import {projectionOf, type Camera} from "./camera.mjs";
+import type {Camera} from "./camera.mjs";
 import {haze, hiddenColour, pale, type Rgb} from "./colours.mjs";
 import type {Frame} from "./frame.mjs";
 import {Lines, type ColouredLine} from "./lines.mjs";
@@ -8,6 +8,7 @@ import {triangleCount, type Model} from "./model.mjs";
 import type {Picture} from "./picture.mjs";
 import {subtract, type Point} from "./points.mjs";
 import {link, type Program} from "./programs.mjs";
+import {projectionOf} from "./projection.mjs";
 import {readNumbers, Screen, setFilter, Targets, type Target} from "./screen.mjs";
 import * as shaders from "./shaders.mjs";
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 import {axesOf} from "./axes.mjs";
-import {halfSizeOf, type Camera} from "./camera.mjs";
+import type {Camera} from "./camera.mjs";
 import type {Model} from "./model.mjs";
 import {add, dot, scale, subtract, type Point} from "./points.mjs";
+import {halfSizeOf} from "./projection.mjs";
 
 /** Which triangle each pixel shows, from 1, row after row from below; 0: none. As the graphics card draws them, at the pixels' centres. */
 export interface Picture {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 import {axesOf, type Axes} from "./axes.mjs";
-import {halfSizeOf} from "./camera.mjs";
 import type {Model} from "./model.mjs";
 import {dot, subtract, type Point} from "./points.mjs";
 import {depthsOf, type Picture} from "./picture.mjs";
+import {halfSizeOf} from "./projection.mjs";
 
 interface Level {
   readonly depths: Float32Array;
