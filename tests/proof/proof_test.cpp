@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <glm/trigonometric.hpp>
 #include <string>
 #include <vector>
 
