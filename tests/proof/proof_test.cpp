@@ -224,6 +224,15 @@ TEST(ViewProof, TakesPlanesBehindTheEyesOfARegion) {
       << "the side of an eye in the middle of the others";
 }
 
+/// An eye that is 0.25 / sqrt(2) behind and aside of the middle shows as much more of a wall to the side, and once more.
+TEST(ViewProof, RefusesPlanesWithinWhatAnEyeAsideShowsOfAWall) {
+  const Camera camera = looking_along_x(90, 1);
+  const oracle::Aabb wall{{4, -8, -8}, {4, 8, 8}};
+  const oracle::EyeRegion eyes = oracle::Ball{{0, 0, 0}, 0.25};
+  EXPECT_TRUE(may_draw_beyond({0, -1, 0, 4.3}, camera, wall, eyes));
+  EXPECT_FALSE(may_draw_beyond({0, -1, 0, 4.6}, camera, wall, eyes));
+}
+
 /// The oracle's time grows with the square of the number of vertices of a polytope, so more than kMostCorners are refused at
 /// once.
 TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {
