@@ -7,12 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "base/lazy.h"
 #include "cover/cull_by_cover.h"
 #include "cover/drawn_groups.h"
 #include "frame/begin_frame.h"
