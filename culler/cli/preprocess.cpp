@@ -164,7 +164,9 @@ Summary make_occluders(render::OutputFile& file, const render::Model& model, con
   culler::SimplifyOptions options = arguments.simple;
   options.views = views;
   if (arguments.with_boxes) options.boxes = arguments.boxes;
+  std::optional<render::ShownStage> stage("making occluders");
   const culler::SimplifiedOccluders found = simplified_occluders(model.soup, options, render::check_interrupt);
+  stage.reset();
   const double seconds = stopwatch.seconds();
   render::write_ply(file, found.soup, "occluders made of a model");
   file.close();

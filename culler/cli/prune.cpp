@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -204,12 +203,18 @@ struct Unseen {
 Unseen find_unseen(const PruneArguments& arguments, const culler::Culler& culler, const std::vector<kernel::Aabb>& cells) {
   const culler::Hierarchy& tree = culler.hierarchy();
   Unseen unseen{{std::vector<bool>(tree.soup().size()), {}, {}}, {}};
+  std::optional<render::ShownStage> stage("looking for closed shells");
   if (arguments.from == kOutside) unseen.enclosed = enclosed_polygons(tree, arguments.touching, render::check_interrupt);
   std::vector<bool> candidates = unseen.enclosed.polygons;
   candidates.flip();
   culler.prepare(culler::Method::cover, render::check_interrupt);
+  stage.emplace("looking from each cell");
   render::Watch watch("cells, part");
-  unseen.others = never_seen(culler, cells, candidates, arguments.search, std::ref(watch));
+  const auto progress = [&](std::size_t done, std::size_t all) {
+    stage.reset();
+    watch(done, all);
+  };
+  unseen.others = never_seen(culler, cells, candidates, arguments.search, progress);
   return unseen;
 }
 

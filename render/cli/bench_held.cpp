@@ -11,6 +11,7 @@
 #include "occlude/render/console.h"
 #include "occlude/render/interrupt.h"
 #include "occlude/render/output_file.h"
+#include "occlude/render/progress.h"
 #include "subject_arguments.h"
 
 namespace occlude::cli {
@@ -43,7 +44,9 @@ void bench_held(const BenchHeldArguments& arguments) {
   options.speeds = speeds_of(arguments.speeds);
   std::optional<render::OutputFile> chart;
   if (!arguments.chart.empty()) chart.emplace(arguments.chart);
+  std::optional<render::ShownStage> stage("moving");
   const experiments::HeldBenchResult result = experiments::bench_held(arguments.subject.subject(), options);
+  stage.reset();
   if (chart) {
     chart->write(chart_of(result, options));
     chart->close();
