@@ -114,6 +114,13 @@ double reach(const oracle::EyeRegion& eyes, const dvec3& along) {
   return (1 + kRounded) * sum;
 }
 
+/// The same along an axis.
+double reach(const oracle::EyeRegion& eyes, std::size_t axis) {
+  dvec3 unit(0);
+  unit[static_cast<int>(axis)] = 1;
+  return reach(eyes, unit);
+}
+
 dvec3 middle_of(const oracle::EyeRegion& eyes) {
   return std::visit([](const auto& kind) { return vector(kind.center); }, eyes);
 }
@@ -168,9 +175,7 @@ double depth_of(const oracle::Aabb& model, const AnyCamera& camera, const Eyes& 
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     sum += std::max(std::fabs(model.min[axis] - eye[axis]), std::fabs(model.max[axis] - eye[axis]));
-    dvec3 unit(0);
-    unit[static_cast<int>(axis)] = 1;
-    if (all) sum += reach(*all, unit);
+    if (all) sum += reach(*all, axis);
   }
   return sum;
 }
@@ -194,10 +199,8 @@ bool may_show(const HalfSpaceCoefficients& half_space, oracle::Aabb model, const
     shown.back()[3] += reach(*all, {half_space[0], half_space[1], half_space[2]});
     shown.back()[3] = std::nextafter(shown.back()[3], kInfinity);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      dvec3 unit(0);
-      unit[static_cast<int>(axis)] = 1;
-      model.min[axis] = std::nextafter(model.min[axis] - reach(*all, unit), -kInfinity);
-      model.max[axis] = std::nextafter(model.max[axis] + reach(*all, unit), kInfinity);
+      model.min[axis] = std::nextafter(model.min[axis] - reach(*all, axis), -kInfinity);
+      model.max[axis] = std::nextafter(model.max[axis] + reach(*all, axis), kInfinity);
     }
   }
   return oracle::relation_to_half_spaces(shown, model).relation != Relation::outside;
@@ -208,8 +211,7 @@ bool may_show(const HalfSpaceCoefficients& half_space, oracle::Aabb model, const
 bool may_draw_beyond(const std::array<double, 4>& plane, const AnyCamera& camera, const oracle::Aabb& model,
                      const Eyes& eyes) {
   return may_show(complement(plane), model, camera, eyes, [&](const Eyes& from) {
-    const auto [sides, depth] = picture_of(camera, kRendererRounds * depth_of(model, camera, eyes), from);
-    HalfSpaces shown = sides;
+    auto [shown, depth] = picture_of(camera, kRendererRounds * depth_of(model, camera, eyes), from);
     shown.insert(shown.end(), depth.begin(), depth.end());
     return shown;
   });
