@@ -103,13 +103,19 @@ Answer relation(const ViewRegion& region, const Occluder& occluder, ShadowKind k
     conditions.clear();
     for (const WeightedPoint& corner : corners) conditions.push_back({corner});
   }
-  const auto satisfies = [&](const Parallelepiped& part) {
-    return some_point_satisfies(conditions, region.at_infinity, vertices_of(occluder), part);
+  const auto satisfies = [&](const Viewpoints& some, const Parallelepiped& part) {
+    return some_point_satisfies(some, region.at_infinity, vertices_of(occluder), part);
   };
+  const auto satisfies_each = [&](const Parallelepiped& part) {
+    return std::ranges::all_of(conditions, [&](const auto& condition) { return satisfies({condition}, part); });
+  };
+  // A point that satisfies each condition satisfies all. Of a box this is asked first because small programs are fast.
+  const auto is_within = [&](const WeightedPoint& x) { return satisfies_each({x, {}}); };
   const Parallelepiped whole = std::visit([](const auto& shape) { return parallelepiped(shape); }, box);
   const std::vector<WeightedPoint> points = all_corners(whole);
-  if (std::ranges::all_of(points, [&](const WeightedPoint& x) { return satisfies({x, {}}); })) return {"", Relation::inside};
-  return {"", satisfies(whole) ? Relation::partial : Relation::outside};
+  if (std::ranges::all_of(points, is_within)) return {"", Relation::inside};
+  const bool is_met = std::ranges::any_of(points, is_within) || (satisfies_each(whole) && satisfies(conditions, whole));
+  return {"", is_met ? Relation::partial : Relation::outside};
 }
 
 }  // namespace occlude::oracle::second
