@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occluders.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -17,11 +18,12 @@
 namespace occlude::experiments {
 namespace {
 
-constexpr std::array<std::size_t, 5> kTriangles{100'000, 60'000, 30'000, 10'000, 3'000};
+constexpr std::array<std::size_t, 6> kTriangles{100'000, 60'000, 30'000, 20'000, 10'000, 3'000};
 
 /// A scene of the same objects and other occluders, and its timings, one number per round.
 struct OccludersTrial {
   OccludersPoint point;
+  culler::CoverOptions cover;
   culler::Scene scene;
   std::vector<double> cull_ms;
 };
@@ -52,6 +54,13 @@ culler::PolygonSoup best_of(const culler::PolygonSoup& occluders, std::size_t tr
   return soup;
 }
 
+/// With pictures whose sides are a third longer. Few occluders leave time for them.
+culler::CoverOptions finer(culler::CoverOptions cover) {
+  cover.width = std::min(cover.width * 4 / 3, culler::kMostCoverSide);
+  cover.height = std::min(cover.height * 4 / 3, culler::kMostCoverSide);
+  return cover;
+}
+
 void run(OccludersTrial& trial, const Subject& subject, const Options& options) {
   culler::SceneView view;
   double hidden = 0, in_view = 0, triangles = 0, ms = 0;
@@ -61,7 +70,7 @@ void run(OccludersTrial& trial, const Subject& subject, const Options& options) 
     const culler::Camera camera = subject.path.camera(frame, aspect(options.walk));
     const render::ProcessorTime time(render::ProcessorTime::Of::thread);
     // Each frame looks at all occluders, so that these alone are compared.
-    const culler::SceneOptions how{.cover = options.walk.cull.cover, .is_adaptive = false};
+    const culler::SceneOptions how{.cover = trial.cover, .is_adaptive = false};
     const culler::SceneStats& stats = trial.scene.cull(camera, how, view).stats;
     ms += time.milliseconds();
     hidden += static_cast<double>(stats.hidden);
@@ -79,19 +88,22 @@ void run(OccludersTrial& trial, const Subject& subject, const Options& options) 
 Occluders measure_occluders(const Subject& subject, const Options& options) {
   const std::vector<culler::Box> objects = leaves_of(subject.soup);
   std::vector<OccludersTrial> trials;
-  const auto add = [&](const char* chosen, culler::PolygonSoup soup) {
+  const culler::CoverOptions& cover = options.walk.cull.cover;
+  const auto add = [&](const char* chosen, const culler::CoverOptions& how, culler::PolygonSoup soup) {
     std::size_t triangles = 0;
     for (std::size_t p = 0; p < soup.size(); ++p) triangles += soup.triangles(p);
-    trials.push_back({.point = {chosen, triangles}, .scene = scene_of(objects, std::move(soup)), .cull_ms = {}});
+    trials.push_back({.point = {chosen, triangles}, .cover = how, .scene = scene_of(objects, std::move(soup)), .cull_ms = {}});
   };
-  add("what is drawn", subject.soup);
+  add("what is drawn", cover, subject.soup);
   const std::vector<culler::Camera> views = subject.path.views(aspect(options.walk));
   for (const std::size_t boxes : {std::size_t{0}, culler::InnerBoxOptions().boxes}) {
     const culler::SimplifyOptions all{std::numeric_limits<std::size_t>::max(), views, {.boxes = boxes}};
     const culler::PolygonSoup best = simplified_occluders(subject.soup, all, render::check_interrupt).soup;
-    if (boxes == 0) add("its flat regions", best);
+    if (boxes == 0) add("its flat regions", cover, best);
     for (const std::size_t triangles : kTriangles) {
-      if (triangles < best.size()) add(boxes == 0 ? "the best" : "the best, with boxes", best_of(best, triangles));
+      if (triangles >= best.size()) continue;
+      add(boxes == 0 ? "the best" : "the best, with boxes", cover, best_of(best, triangles));
+      if (boxes == 0) add("the best, in a finer picture", finer(cover), best_of(best, triangles));
     }
   }
 

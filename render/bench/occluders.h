@@ -24,7 +24,7 @@ struct Occluders {
 };
 
 /// Each round walks through every scene once, so that a change of the machine's speed affects all of them. Occluders are
-/// chosen along the path (CameraPath::views()), with inner boxes and without.
+/// chosen along the path (CameraPath::views()), with inner boxes and without, and with a finer picture than all others have.
 [[nodiscard]] Occluders measure_occluders(const Subject& subject, const Options& options);
 
 }  // namespace occlude::experiments
