@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <span>
 #include <string_view>
 
@@ -14,8 +15,6 @@
 
 namespace occlude::render {
 namespace {
-
-constexpr int kWidth = 1280, kHeight = 720;
 
 /// Names of plates: with the number of the frame between.
 constexpr std::string_view kPrefix = "frame_", kView = "_view.png", kOutside = "_outside.png";
@@ -97,14 +96,15 @@ std::optional<std::size_t> frame_of_outside_plate(const std::string& name) {
 
 std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
                                     const std::vector<FrameRecord>& frames, const WalkOptions& options) {
-  FramePainter painter(culler, kWidth, kHeight);
-  WalkOptions walk = options;
-  walk.width = kWidth;
-  walk.height = kHeight;
-  FramesAlongPath along(culler, path, walk);
+  // Large enough to look at, small enough for a report to hold.
+  constexpr double kLarger = 2, kWidest = 1280, kHighest = 720;
+  const double scale = std::min({kLarger, kWidest / options.width, kHighest / options.height});
+  const auto scaled = [&](int pixels) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); };
+  FramePainter painter(culler, scaled(options.width), scaled(options.height));
+  FramesAlongPath along(culler, path, options);
   std::vector<DrawnPlate> plates;
   for (const auto& [record, what] : moments(frames)) {
-    const culler::Camera camera = path.camera(record->frame, aspect(walk));
+    const culler::Camera camera = path.camera(record->frame, aspect(options));
     along.go_to(record->frame);
     along.cull();
     const culler::CullResult& result = along.result();

@@ -25,8 +25,9 @@ struct DrawnPlate {
 [[nodiscard]] std::optional<std::size_t> frame_of_outside_plate(const std::string& name);
 
 /// The view of the camera and a view from outside, for up to four of `frames`: those in which the most is culled, the most
-/// is drawn in vain, the most is seen, and one with the usual share of culled polygons. Each is culled after the same frames
-/// as in the walk, but in the shape of the plates, 16:9. REQUIRES: frames; an OffscreenContext current on this thread.
+/// is drawn in vain, the most is seen, and one with the usual share of culled polygons. Each is culled as in the walk, after
+/// the same frames. Plates are twice as large as the walk's pictures, as far as that fits into 1280x720.
+/// REQUIRES: frames; an OffscreenContext current on this thread.
 [[nodiscard]] std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
                                                   const std::vector<FrameRecord>& frames, const WalkOptions& options);
 
