@@ -147,7 +147,7 @@ class WorldJudge {
     for (int i = random_.integer(2, 8); i > 0; --i) add_occluder();
     for (int i = random_.integer(5, 40); i > 0; --i) add_object();
     for (int round = 0; round < rounds; ++round) {
-      for (int steps = random_.integer(0, 12); steps > 0; --steps) {
+      for (int steps = some_steps(); steps > 0; --steps) {
         if (std::string wrong = step(); !wrong.empty()) return wrong;
       }
       if (random_.chance(0.8)) {
@@ -166,6 +166,9 @@ class WorldJudge {
     std::advance(at, static_cast<std::ptrdiff_t>(random_.index(things.size())));
     return at->second;
   }
+
+  /// Changes before a frame: few, or as many as when a part of a world is loaded.
+  int some_steps() { return random_.chance(0.1) ? random_.integer(50, 300) : random_.integer(0, 12); }
 
   std::uint32_t some_mask() { return random_.chance(0.7) ? ~std::uint32_t{0} : std::uint32_t{1} << random_.index(3); }
 
