@@ -92,7 +92,8 @@ Occluders measure_occluders(const Subject& subject, const Options& options) {
   const auto add = [&](const char* chosen, const culler::CoverOptions& how, culler::PolygonSoup soup) {
     std::size_t triangles = 0;
     for (std::size_t p = 0; p < soup.size(); ++p) triangles += soup.triangles(p);
-    trials.push_back({.point = {chosen, triangles}, .cover = how, .scene = scene_of(objects, std::move(soup)), .cull_ms = {}});
+    trials.push_back(
+        {.point = {chosen, triangles}, .cover = how, .scene = scene_of(objects, std::move(soup)), .cull_ms = {}});
   };
   add("what is drawn", cover, subject.soup);
   const std::vector<culler::Camera> views = subject.path.views(aspect(options.walk));
