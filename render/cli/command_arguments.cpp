@@ -149,7 +149,7 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
     build_options_ = build_.add_to(command);
     append(build_options_);
     append(add_tuning_to(command));
-    append(add_budgets(command, cull_.cover));
+    for (const Option budget : add_budgets(command, cull_.cover)) options.push_back(of_cover(budget));
   });
   command.under(kDebugging, [&] { append(add_debugging_to(command)); });
   return options;
@@ -165,6 +165,11 @@ culler::Method method_named(const std::string& name) {
 
 Option WalkArguments::of_frusta(Option option) {
   options_of_frusta_.push_back(option);
+  return option;
+}
+
+Option WalkArguments::of_cover(Option option) {
+  options_of_cover_.push_back(option);
   return option;
 }
 
@@ -215,8 +220,8 @@ std::vector<Option> WalkArguments::add_tuning_to(Command command) {
   };
   culler::Objective& objective = cull_.objective;
   return {
-      command.add("--cover-size", cover_size_, "WxH, size of the coarse picture in pixels, each from 64 to 4096")
-          .show_default(),
+      of_cover(command.add("--cover-size", cover_size_, "WxH, size of the coarse picture in pixels, each from 64 to 4096")
+                   .show_default()),
       of_frusta(
           command
               .add("--probes", cull_.probes, "candidates per frame for which the polygons that they would hide are counted")
@@ -262,7 +267,13 @@ Option WalkArguments::add_model_to(Command command) {
   return added.front();
 }
 
-void WalkArguments::require_settled(const std::string& model) const { cli::require_settled(build_options_, model); }
+void WalkArguments::check_given(const std::string& model) const {
+  require_settled(build_options_, model);
+  if (!has_method()) return;  // then it is one that has them, or all are compared
+  for (const Option& option : method() == culler::Method::frusta ? options_of_cover_ : options_of_frusta_) {
+    if (option.is_given()) warn(option.name(), fmt::format("does nothing by {}", method_));
+  }
+}
 
 void require_settled(std::span<const Option> options, const std::string& model) {
   const auto given = std::ranges::find_if(options, &Option::is_given);

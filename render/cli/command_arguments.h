@@ -68,8 +68,8 @@ class WalkArguments {
 
   /// Notes that by the other methods the option does nothing: without --method it asks for frusta. Returns the option.
   Option of_frusta(Option option);
-  /// require_settled() of the options by which the model is read and prepared.
-  void require_settled(const std::string& model) const;
+  /// require_settled() of the options by which the model is read and prepared. Warns of given ones that do nothing by --method.
+  void check_given(const std::string& model) const;
   /// Whether --method is given.
   [[nodiscard]] bool has_method() const { return !method_.empty(); }
   /// The parsed options. Calls refuse() for text that cannot be parsed.
@@ -77,6 +77,7 @@ class WalkArguments {
 
  private:
   [[nodiscard]] culler::Method method() const;
+  Option of_cover(Option option);
   std::vector<Option> add_common_to(Command command);
   std::vector<Option> add_tuning_to(Command command);
   std::vector<Option> add_debugging_to(Command command);
@@ -87,7 +88,7 @@ class WalkArguments {
               angle_ = "area", preprocess_;
   ReadArguments read_;
   BuildArguments build_;
-  std::vector<Option> options_of_frusta_;
+  std::vector<Option> options_of_frusta_, options_of_cover_;
   std::vector<Option> build_options_;  ///< and those of add_model_to(), once they are added
   double pixel_margin_ = culler::kPixelMargin, hold_ = 0;
   culler::CullOptions cull_;

@@ -166,6 +166,15 @@ grep -q '"bounds": "obb"' oriented/summary.json || fail "walk --bounds obb: not 
 "$occlude" validate slanting.ply --path path.json --bounds obb >stdout 2>&1 || fail "oriented: $(cat stdout)"
 grep -q 'tree of OBBs' oriented/report.html || fail "walk --bounds obb: not in the report"
 
+# What an option does nothing for is said.
+for idle in "cover --probes 4" "automatic --near farthest" "frusta --cover-size 128x96" "frusta --budget-ms 1"; do
+  set -- $idle
+  "$occlude" walk good.ply --path path.json --out idle --no-render --method $1 $2 $3 >/dev/null 2>stderr || fail "walk --method $idle"
+  [ "$(cat stderr)" = "occlude: warning: $2: does nothing by $1" ] || fail "walk --method $idle said: $(cat stderr)"
+done
+"$occlude" walk good.ply --path path.json --out idle --no-render --probes 4 --budget-ms 1 >/dev/null 2>stderr || fail "walk --probes"
+[ ! -s stderr ] || fail "walk --probes said: $(cat stderr)"
+
 expect_error "--regions" "$occlude" walk good.ply --path path.json --out out --regions octree
 expect_error "--weight-coherence" "$occlude" walk good.ply --path path.json --out out --weight-coherence -1
 for options in "--shapes polygon" "--regions tree" "--probes 0" "--solid-angle exact --weight-coherence 0" "--weight-solid-angle 0"; do
