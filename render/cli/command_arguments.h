@@ -68,7 +68,7 @@ class WalkArguments {
 
   /// Notes that by the other methods the option does nothing: without --method it asks for frusta. Returns the option.
   Option of_frusta(Option option);
-  /// require_settled() of the options by which the model is read and prepared. Warns of given ones that do nothing by --method.
+  /// require_settled() of the options by which the model is read and prepared. Warns of those that do nothing by --method.
   void check_given(const std::string& model) const;
   /// Whether --method is given.
   [[nodiscard]] bool has_method() const { return !method_.empty(); }
