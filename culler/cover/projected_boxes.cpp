@@ -128,9 +128,10 @@ HWY_INLINE Lanes reach_of(const BoxPicture& p, std::size_t axis, Lanes slope) {
 }
 
 /// Where the boxes are in the layer with this focus: each corner is moved by the eyes. `error` is that of the positions
-/// from the middle of the eyes.
-HWY_INLINE void store_layer(const BoxPicture& p, const Corners& right, const Corners& up, const Corners& forward,
-                            Lanes moved, Lanes error, Lanes focus, Lanes layer, BoxPixels& boxes, std::size_t i) {
+/// from the middle of the eyes. Long, and asked twice: to inline it took compilers a minute under sanitizers, and saved
+/// nothing.
+HWY_NOINLINE void store_layer(const BoxPicture& p, const Corners& right, const Corners& up, const Corners& forward,
+                              Lanes moved, Lanes error, Lanes focus, Lanes layer, BoxPixels& boxes, std::size_t i) {
   const Lanes one = hn::Set(kD, 1.0F), infinity = hn::Inf(kD), ahead = hn::Set(kD, p.eyes_forward);
   Range x{infinity, hn::Neg(infinity)}, y = x;
   Lanes most_share = hn::Zero(kD);
