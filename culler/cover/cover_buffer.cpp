@@ -35,13 +35,14 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const FocusLayers& layers = boxes_.layers;
-  nearness_.clear();
-  farthest_.clear();
+  const std::size_t tiles = pixels / kTilePixels;
+  nearness_.resize(layers.count * pixels);
+  farthest_.resize(layers.count * tiles + kTile);
   for (std::size_t layer = 0; layer < layers.count; ++layer) {
-    nearness_.resize(nearness_.size() + pixels, layers.start(layer));
-    farthest_.resize(farthest_.size() + pixels / kTilePixels, layers.start(layer));
+    std::fill_n(nearness_.data() + layer * pixels, pixels, layers.start(layer));
+    std::fill_n(farthest_.data() + layer * tiles, tiles, layers.start(layer));
   }
-  farthest_.resize(farthest_.size() + kTile, kOpen);
+  std::fill_n(farthest_.data() + layers.count * tiles, kTile, kOpen);
   owners_.clear();
   closings_.clear();
   keeps_closings_ = false;

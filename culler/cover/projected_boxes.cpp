@@ -6,6 +6,9 @@
 // foreach_target.h must come first.
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <cstddef>
+
 #include "cover/projected_boxes.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -310,7 +313,13 @@ BoxPicture::BoxPicture(const ConservativeViewport& picture, const PixelPosition&
   up_of_ball = of_ball(picture.up());
 }
 
-void ProjectedBoxes::project(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(project)(picture, *this); }
+void ProjectedBoxes::project(const BoxPicture& picture) {
+  // Lanes without a box are projected, too.
+  for (auto* const side : {&low, &high}) {
+    for (Floats& axis : *side) std::fill(axis.begin() + static_cast<std::ptrdiff_t>(size), axis.end(), 0.0F);
+  }
+  HWY_DYNAMIC_DISPATCH(project)(picture, *this);
+}
 
 void ProjectedBoxes::project(const BoxPicture& picture, const kernel::BoxBlock& block) {
   size = kMost;

@@ -68,7 +68,6 @@ struct BoxPixels {
 
 /// At most eight boxes, and what is known of them in a picture.
 struct ProjectedBoxes : BoxPixels {
-  ProjectedBoxes() : low{}, high{} {}
   void add(const BoxPicture& picture, const kernel::Aabb& box) {
     for (int axis = 0; axis < 3; ++axis) {
       low[static_cast<std::size_t>(axis)][size] = static_cast<float>(box.min[axis] - picture.eye[axis]);

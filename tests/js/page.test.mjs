@@ -291,6 +291,18 @@ test("from outside one is behind the camera, turns after it until somebody turns
   assert.deepEqual([orbit.yaw, orbit.pitch, orbit.isFollowing], [1 + Math.PI / 4, 1.5, false]);
 });
 
+test("the way round a model is higher where the model is high, so that one looks into it, whichever way is up", isMade, async () => {
+  const {orbit} = await part("flight"), {subtract, length} = await part("points");
+  const slopeOf = (high, up) => {
+    const {eye, target} = orbit({low: [0, 0, 0], high, size: length(high)}, up).places[0], way = subtract(target, eye);
+    return Math.abs(way[up.findIndex(x => x !== 0)]) / length(way);
+  };
+  const flat = slopeOf([90, 50, 2], [0, 0, 1]), court = slopeOf([30, 18, 12], [0, 0, 1]), tower = slopeOf([10, 10, 90], [0, 0, 1]);
+  assert.ok(flat > 0.3 && flat < 0.4, `flat ${flat}`);
+  assert.ok(court > 0.45 && court <= tower && tower < 0.65, `court ${court}, tower ${tower}`);
+  for (const y of [1, -1]) assert.ok(Math.abs(slopeOf([30, 12, 18], [0, y, 0]) - court) < 1e-9);
+});
+
 test("PLY files of each kind are read, with faces of many corners", isMade, async () => {
   const {readPly} = await part("ply");
   const header = (format, type, more = "") => `ply\nformat ${format} 1.0\nelement vertex 5\nproperty ${type} x\nproperty ${type} y\n` +

@@ -30,6 +30,16 @@ class Flight(browser.Flight):
             cut.append(self.run_script('return [app.shows.cut, document.getElementById("cut").checked]'))
         self.assertEqual(cut, [[False, False], [True, True], [False, False]])
 
+    def test_what_the_camera_sees_is_outlined_before_the_sky_too(self):
+        self.open('#scene=rooms')
+        self.drop_model(self.write('room.gltf', gltf.of_boxes(ROOM, [0, 0, 0])))
+        self.look([0, 0, 90], [0, 0, 100])
+        outlined = '''
+            const {x, y, width, height} = app.views.outside, gl = app.canvas.getContext("webgl2"), bytes = new Uint8Array(4 * width * height);
+            gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            return bytes.filter((byte, i) => i % 4 === 0 && byte === 0x5b && bytes[i + 1] === 0x8c && bytes[i + 2] === 0xff).length;'''
+        self.assertGreater(self.run_script(outlined), 100)
+
     def test_a_dropped_gltf_is_culled_by_both_methods(self):
         self.open('#scene=rooms')
         self.drop_model(self.write('room.gltf', gltf.of_boxes(ROOM, [0, 0, 0])))

@@ -250,6 +250,26 @@ class Methods(Page):
                 drawn, ms = (of['columns'][c][index] for c in ('drawn', 'cull_ms'))
                 self.assertEqual(choice.text.split('\n'), [name, f'{drawn:,} · {ms:.2f} ms'])
 
+    def test_averages_say_of_which_method_they_are(self):
+        for walk, by in (('methods', 'automatic'), ('frusta', 'shadow frusta'), ('held', 'joined shadows, for regions of eyes')):
+            self.open(walk)
+            self.assertIn(f'Averages below are by {by}', self.element('methods').text)
+
+    def test_figures_keep_to_their_lines(self):
+        """However wide they are: in the table, and beside the names of the methods."""
+        self.open('methods')
+        self.run_script('''
+            for (const cell of document.querySelectorAll('#methods td:not(:first-child)')) cell.innerHTML = '<span>100.0 %</span>';
+            for (const label of document.querySelectorAll('#methodOfView b')) label.textContent = '129,170 · 52.84 ms';''')
+        lines = self.run_script('return [...document.querySelectorAll("#methods td span")].map(s => s.getClientRects().length)')
+        self.assertEqual(lines, 55 * [1])
+        self.assertLess(max(choice.size['height'] for choice in self.choices()), 40)
+
+    def test_the_map_is_no_higher_than_wide(self):
+        self.open('methods')
+        width, height = self.run_script('const {width, height} = document.getElementById("map"); return [width, height]')
+        self.assertLessEqual(height, width)
+
     def test_all_are_in_the_charts(self):
         self.open('methods')
         times, polygons = self.run_script('return page.charts.charts.slice(0, 2).map(c => c.series.map(s => [s.name, s.values]))')

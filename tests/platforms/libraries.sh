@@ -59,6 +59,16 @@ END
   install_library "$objects" libcxx-build/build
 }
 
+# take_bits_of_masks_at_once HEADER: by the instruction that WebAssembly has for it, where Highway takes one lane after the other.
+take_bits_of_masks_at_once() {
+  local lanes
+  for lanes in 32x4 64x2; do
+    local found="  const __i$lanes mask_i = static_cast<__i$lanes>(mask.raw);"
+    grep -qxF "$found" "$1"
+    sed -i "s/^$found\$/  return static_cast<uint32_t>(wasm_i${lanes}_bitmask(mask.raw));\n&/" "$1"
+  done
+}
+
 # install_library SOURCE NAME OPTIONS...
 install_library() {
   cmake -S "$1" -B "$folder/$2" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$PWD/tests/platforms/$platform.cmake" \
@@ -73,6 +83,7 @@ if [ "$platform" = wasm ]; then
   install_standard_library
 fi
 get_source "$release" highway
+if [ "$platform" = wasm ]; then take_bits_of_masks_at_once "$folder/highway/hwy/ops/wasm_128-inl.h"; fi
 install_library "$folder/highway" highway-build -DBUILD_TESTING=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF
 install_library /usr/src/googletest googletest-build -DBUILD_GMOCK=OFF
 # GLM and the JSON parser are headers. The folder that holds them, /usr/include, must not be searched for this platform.

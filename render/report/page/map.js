@@ -24,7 +24,7 @@ class PathMap {
     const low = [0, 1].map(i => Math.min(...flat.map(p => p[i]))), high = [0, 1].map(i => Math.max(...flat.map(p => p[i])));
     this.middle = [0, 1].map(i => (low[i] + high[i]) / 2);
     const spans = [0, 1].map(i => Math.max(high[i] - low[i], viewer.size / 200));
-    this.scale = 512 / (1.25 * Math.max(spans[0], 0.6 * spans[1]));  // pixels of the map a unit
+    this.scale = 512 / (1.25 * Math.max(...spans));  // pixels of the map a unit; no higher than wide
     this.pixels = [512, Math.round(1.25 * this.scale * Math.max(spans[1], 0.6 * spans[0]))];
     canvas.addEventListener('click', event => {
       const box = canvas.getBoundingClientRect();

@@ -54,8 +54,6 @@ std::string facts(const Summary& summary) {
   return html;
 }
 
-bool is_cover(const Summary& summary) { return culler::is_by_cover(summary.options.cull.method); }
-
 std::string lead(const Summary& summary) {
   return fmt::format("{} polygons, {} frames. After Hudson et al. 1997, section 6.3.{}",
                      grouped(static_cast<double>(summary.polygons)), grouped(static_cast<double>(summary.frames)),
@@ -63,12 +61,12 @@ std::string lead(const Summary& summary) {
 }
 
 std::string methods(const Summary& summary, std::size_t shown) {
-  const char* const by = is_cover(summary) ? "joined shadows, of everything in front" : "the shadows of single occluders";
   return html_of(table_of(summary.methods)) +
          fmt::format(
              "<p class=\"soft\">Without: the same frames by the view frustum alone, in turns with "
              "the method. Averages below are by {}{}.{}</p>",
-             by, summary.held ? ", for regions of eyes that hold for the frames between" : "",
+             text_of(summary.options.cull.method),
+             summary.held ? ", for regions of eyes that hold for the frames between" : "",
              shown > 1
                  ? " The picture, and what is told of frames, regions and occluders, is of the method that is chosen there."
                  : "");
@@ -102,7 +100,7 @@ std::string conditions(const Summary& summary) {
   const culler::CullOptions& cull = options.cull;
   const Machine& machine = summary.machine;
   const std::string method =
-      is_cover(summary)
+      culler::is_by_cover(cull.method)
           ? fmt::format("joined shadows in a picture of {}&times;{}", cull.cover.width, cull.cover.height)
           : fmt::format("{} occluders{}, near plane {}, {} test", cull.occluders,
                         cull.unions ? " and unions of pairs of them" : "", name_of(cull.shadow_near), name_of(cull.test));

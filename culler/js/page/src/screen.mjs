@@ -154,7 +154,8 @@ void main() {
   vec2 size = vec2(textureSize(depths, 0));
   float middle = texture(depths, at).r;
   if (middle == 0.0) {
-    colour = vec4(mix(haze, sky, smoothstep(0.35, 1.0, at.y)), 1);
+    vec4 painted = texture(picture, at);  // lines: they have no depth
+    colour = vec4(mix(mix(haze, sky, smoothstep(0.35, 1.0, at.y)), painted.rgb, painted.a), 1);
     return;
   }
   float reach = clamp(radius * middle / near, 5.0 / size.y, 0.05);
