@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 
 #include "camera/view_planes.h"
 #include "cover/cover_buffer.h"
@@ -17,14 +18,17 @@
 namespace occlude::culler {
 
 /// Lists objects of some groups. Several listings may be at work at once.
+/// By the slots of objects that were found to be hidden, the boxes that were: each holds its object.
+using HiddenBoxes = std::unordered_map<std::uint32_t, kernel::Aabb>;
+
 class ObjectListing {
  public:
   /// Lists to `room`, which must be enough for all objects of the groups. What is given outlives this.
   /// Objects are hidden in `hiding`; `own` is the picture of the camera, in which they have a size. `told`, unless it is
-  /// null, is told where they are hidden.
+  /// null, is told where they are hidden, and `boxes` keeps what was.
   ObjectListing(const SceneOptions& options, const ViewPlanes& view, const CoverBuffer& hiding, const CoverBuffer& own,
-                HidingMeshes* told, std::span<DrawnObject> room)
-      : options_(options), view_(view), hiding_(hiding), own_(own), told_(told), room_(room) {}
+                HidingMeshes* told, HiddenBoxes* boxes, std::span<DrawnObject> room)
+      : options_(options), view_(view), hiding_(hiding), own_(own), told_(told), boxes_(boxes), room_(room) {}
 
   /// The objects of a group that are neither hidden nor out of view. `straddled_planes` has a bit for each plane of the view
   /// that may cross the group.
@@ -36,6 +40,13 @@ class ObjectListing {
   /// Counts objects that are culled.
   void count(Culled::By by, std::size_t objects) {
     (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
+  }
+  /// Keeps the box of a node, if it is hidden, for each object of a group below it.
+  void keep(const TreeBlock& block, std::uint32_t node, Culled::By by, const ObjectGroup& group, const ItemRange& objects) {
+    if (boxes_ == nullptr || by != Culled::By::cover) return;
+    for (std::uint32_t i = objects.first; i < objects.first + objects.count; ++i) {
+      if ((group.mask(i) & options_.mask) != 0) boxes_->emplace(group.id(i).slot(), block.boxes.box(node));
+    }
   }
   /// Tells where boxes are hidden.
   void hide(const ProjectedBoxes& boxes, kernel::BoxBits hidden) {
@@ -64,6 +75,7 @@ class ObjectListing {
   const ViewPlanes& view_;
   const CoverBuffer &hiding_, &own_;
   HidingMeshes* told_;
+  HiddenBoxes* boxes_;
   std::span<DrawnObject> room_;
   SceneStats stats_;
 };

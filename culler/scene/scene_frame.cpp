@@ -41,7 +41,7 @@ class SceneFrame {
         buffer_(memory.cover.buffer),
         hiding_(hiding),
         painter_(memory.view, options.cover, options.margin, memory.cover, stats_.work),
-        asking_(options, planes_, hiding_, buffer_, nullptr, {}) {}
+        asking_(options, planes_, hiding_, buffer_, nullptr, nullptr, {}) {}
   /// What the frame itself draws into its picture hides.
   SceneFrame(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
              SceneView::Memory& memory)
@@ -57,6 +57,9 @@ class SceneFrame {
     told_->find(memory_.cover.buffer.closings());
     memory_.occluders.find_idle(*told_, memory_.result.idle_occluders);
   }
+
+  /// Keeps the boxes in which objects are found to be hidden.
+  void keep_hidden(HiddenBoxes& boxes) { hidden_ = &boxes; }
 
   /// What is seen of the occluders closes pixels. joined(painter, occluder) is called after each group that is drawn.
   template <class Joined>
@@ -86,7 +89,7 @@ class SceneFrame {
     });
   }
 
-  /// What becomes of an object; not yet what hides it. REQUIRES: the occluders were drawn.
+  /// What became of an object; not yet what hides it. REQUIRES: keep_hidden(), and the objects were listed.
   [[nodiscard]] ObjectFate fate(ObjectId id) {
     using Reason = ObjectFate::Reason;
     const auto object = objects_.seen(id);
@@ -96,9 +99,9 @@ class SceneFrame {
     for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane) {
       if (beyond(plane, *object->group, object->index)) return {Reason::out_of_view, plane};
     }
-    const kernel::Aabb& box = object->group->outer(object->index);
-    if (buffer_.hides(box)) return {Reason::hidden};
-    return {asking_.size_of(box) < options_.least_size ? Reason::too_small : Reason::drawn};
+    if (hidden_->contains(id.slot())) return {Reason::hidden};
+    const bool is_small = asking_.size_of(object->group->outer(object->index)) < options_.least_size;
+    return {is_small ? Reason::too_small : Reason::drawn};
   }
 
   [[nodiscard]] std::optional<Box> beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {
@@ -124,7 +127,7 @@ class SceneFrame {
 
   [[nodiscard]] ObjectListing listing(std::size_t first, std::size_t objects) {
     const std::span room(memory_.room.get(), memory_.room_size);
-    return {options_, planes_, hiding_, buffer_, told_, room.subspan(first, objects)};
+    return {options_, planes_, hiding_, buffer_, told_, hidden_, room.subspan(first, objects)};
   }
 
   /// The groups of a scene, for a descent of their tree.
@@ -143,7 +146,12 @@ class SceneFrame {
     }
     static bool is_few(const ItemRange&) { return true; }
     void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
-      listing_.count(culled.by, objects_.count(block.items(i), mask_));
+      const ItemRange groups = block.items(i);
+      listing_.count(culled.by, objects_.count(groups, mask_));
+      for (std::uint32_t item = groups.first; item < groups.first + groups.count; ++item) {
+        const ObjectGroup& group = objects_.group(item);
+        listing_.keep(block, i, culled.by, group, {0, static_cast<std::uint32_t>(group.size())});
+      }
     }
     void hide(const ProjectedBoxes& boxes, kernel::BoxBits hidden) { listing_.hide(boxes, hidden); }
     template <class Boxes>
@@ -246,7 +254,8 @@ class SceneFrame {
   const CoverBuffer& buffer_;  ///< of the frame
   const CoverBuffer& hiding_;  ///< in which objects are hidden: the same, or one that is held
   CoverPainter painter_;
-  HidingMeshes* told_ = nullptr;  ///< what is hidden, if that is to be found
+  HidingMeshes* told_ = nullptr;   ///< what is hidden, if that is to be found
+  HiddenBoxes* hidden_ = nullptr;  ///< where it is, if that is to be kept
   ViewPlanes planes_{memory_.planes, kernel::Arithmetic::certified};
   ObjectListing asking_;  ///< which lists nothing
 };
@@ -267,20 +276,30 @@ class FrameAgain {
  public:
   FrameAgain(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
              const SceneOptions& options)
-      : objects_(objects), memory_(begun(view, options.cover)), frame_(objects, occluders, options, memory_) {
+      : objects_(objects),
+        options_(on_this_thread(options)),
+        memory_(begun(view, options.cover)),
+        frame_(objects, occluders, options_, memory_) {
     memory_.cover.buffer.keep_owners();
+    frame_.keep_hidden(hidden_);
     frame_.draw_occluders([&](const CoverPainter& painter, const SceneOccluders::Standing& occluder) {
       drawn_.keep(painter, memory_.cover, static_cast<std::uint32_t>(drawn_occluders_.size()));
       drawn_occluders_.push_back(&occluder);
     });
+    frame_.list_objects();
   }
 
   [[nodiscard]] ObjectFate fate(ObjectId id) {
     ObjectFate fate = frame_.fate(id);
-    if (fate.reason != ObjectFate::Reason::hidden) return fate;
-    const auto object = objects_.seen(id);
-    append_hiding(object->group->outer(object->index), fate.by);
+    if (fate.reason == ObjectFate::Reason::hidden) append_hiding(hidden_box(id), fate.by);
     return fate;
+  }
+  /// The object's own box if that is found to be hidden, else the larger one that was: from several eyes, a box is asked in
+  /// other layers than a smaller one in it. REQUIRES: the object is hidden.
+  [[nodiscard]] kernel::Aabb hidden_box(ObjectId id) const {
+    const auto object = objects_.seen(id);
+    const kernel::Aabb own = object->group->outer(object->index);
+    return memory_.cover.buffer.hides(own) ? own : hidden_.at(id.slot());
   }
   /// The box of an object that is beyond the plane.
   [[nodiscard]] std::optional<Box> beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {
@@ -288,6 +307,10 @@ class FrameAgain {
   }
 
  private:
+  [[nodiscard]] static SceneOptions on_this_thread(SceneOptions options) {
+    options.executor = nullptr;
+    return options;
+  }
   [[nodiscard]] static SceneView::Memory begun(const FrameView& view, const CoverOptions& options) {
     SceneView::Memory memory;
     if (options.as_before) memory.occluders.idle.begin_again(options.as_before->idle);
@@ -318,8 +341,10 @@ class FrameAgain {
   }
 
   const SceneObjects& objects_;
+  SceneOptions options_;
   SceneView::Memory memory_;
   SceneFrame frame_;
+  HiddenBoxes hidden_;
   DrawnGroups drawn_;
   std::vector<const SceneOccluders::Standing*> drawn_occluders_;
 };
@@ -386,7 +411,7 @@ void append_witnesses_of(const SceneObjects& objects, const SceneOccluders& occl
       if ((group.mask(i) & options.mask) == 0) continue;
       ObjectFate fate = frame.fate(group.id(i));
       if (fate.reason == Reason::hidden) {
-        witnesses.push_back({group.id(i), group.outer(i), std::move(fate)});
+        witnesses.push_back({group.id(i), frame.hidden_box(group.id(i)), std::move(fate)});
       } else if (fate.reason == Reason::out_of_view) {
         witnesses.push_back({group.id(i), *frame.beyond(fate.plane, group, i), std::move(fate)});
       }

@@ -389,9 +389,10 @@ class WorldJudge {
     if (std::string wrong = fault_of_list(options); !wrong.empty()) return wrong;
     if (std::string wrong = fault_of_proofs(camera, options); !wrong.empty()) return wrong;
     if (std::string wrong = fault_of_fates(camera, options); !wrong.empty()) return wrong;
-    // What a budget is spent on depends on the groups that the changes have made.
-    const bool is_whole = options.cover.work == SceneOptions{}.cover.work;
-    return !options.is_adaptive && random_.chance(0.3) && is_whole ? fault_beside_scene_anew(camera, options) : "";
+    // What a budget is spent on depends on the groups that the changes have made, and so does what is hidden from several
+    // eyes: which layers a box is asked in depends on how far it reaches.
+    const bool is_alike = options.cover.work == SceneOptions{}.cover.work && eyes_.size() == 1;
+    return !options.is_adaptive && random_.chance(0.3) && is_alike ? fault_beside_scene_anew(camera, options) : "";
   }
 
   /// Whether each object in a layer of the frame is listed or counted once.

@@ -158,8 +158,8 @@ struct ObjectFate {
 /// The proof of a cull.
 struct ObjectWitness {
   ObjectId object;
-  /// All of it is hidden, or out of view. Holds the box of the object: it is the one that the scene keeps, or the
-  /// axis-aligned one around it.
+  /// All of it is hidden, or out of view. Holds the box of the object: it is the one that the scene keeps, the axis-aligned
+  /// one around it, or, in frames of several eyes, one around several objects that were found to be hidden together.
   Box box;
   ObjectFate fate;  ///< hidden or out_of_view
 };
