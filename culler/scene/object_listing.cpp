@@ -41,7 +41,7 @@ class ObjectListing::Objects : public StandingNodes {
 
   void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
     listing_.count(culled.by, group_.count(block.items(i), listing_.options_.mask));
-    listing_.keep(block, i, culled.by, group_, block.items(i));
+    if (listing_.keeps(culled.by)) listing_.keep(block.boxes.box(i), group_, block.items(i));
   }
   void hide(const ProjectedBoxes& boxes, kernel::BoxBits hidden) { listing_.hide(boxes, hidden); }
 

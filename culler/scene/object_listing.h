@@ -17,10 +17,10 @@
 
 namespace occlude::culler {
 
-/// Lists objects of some groups. Several listings may be at work at once.
 /// By the slots of objects that were found to be hidden, the boxes that were: each holds its object.
 using HiddenBoxes = std::unordered_map<std::uint32_t, kernel::Aabb>;
 
+/// Lists objects of some groups. Several listings may be at work at once.
 class ObjectListing {
  public:
   /// Lists to `room`, which must be enough for all objects of the groups. What is given outlives this.
@@ -41,11 +41,12 @@ class ObjectListing {
   void count(Culled::By by, std::size_t objects) {
     (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
   }
-  /// Keeps the box of a node, if it is hidden, for each object of a group below it.
-  void keep(const TreeBlock& block, std::uint32_t node, Culled::By by, const ObjectGroup& group, const ItemRange& objects) {
-    if (boxes_ == nullptr || by != Culled::By::cover) return;
+  /// Whether the boxes of nodes that are culled so are kept.
+  [[nodiscard]] bool keeps(Culled::By by) const { return boxes_ != nullptr && by == Culled::By::cover; }
+  /// Keeps the box of a hidden node for each of these objects of a group, which are below it. REQUIRES: keeps().
+  void keep(const kernel::Aabb& box, const ObjectGroup& group, const ItemRange& objects) {
     for (std::uint32_t i = objects.first; i < objects.first + objects.count; ++i) {
-      if ((group.mask(i) & options_.mask) != 0) boxes_->emplace(group.id(i).slot(), block.boxes.box(node));
+      if ((group.mask(i) & options_.mask) != 0) boxes_->emplace(group.id(i).slot(), box);
     }
   }
   /// Tells where boxes are hidden.

@@ -148,9 +148,10 @@ class SceneFrame {
     void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
       const ItemRange groups = block.items(i);
       listing_.count(culled.by, objects_.count(groups, mask_));
+      if (!listing_.keeps(culled.by)) return;
       for (std::uint32_t item = groups.first; item < groups.first + groups.count; ++item) {
         const ObjectGroup& group = objects_.group(item);
-        listing_.keep(block, i, culled.by, group, {0, static_cast<std::uint32_t>(group.size())});
+        listing_.keep(block.boxes.box(i), group, {0, static_cast<std::uint32_t>(group.size())});
       }
     }
     void hide(const ProjectedBoxes& boxes, kernel::BoxBits hidden) { listing_.hide(boxes, hidden); }

@@ -87,8 +87,7 @@ for place in '0 0' '0 1' '1 0' '1 1' '2 0' '2 1'; do
 done
 ply plates.ply 32 12 "$plates$(box 4 6)4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n4 20 21 22 23\n$(sides 24)"
 gone plates.ply 0 --from outside --effort 0
-gone plates.ply 6 --from outside --effort 1024 --rays 64 --witness proof.jsonl --witness-share 0.34
-proves plates.ply proof.jsonl 2
+gone_proved plates.ply 6 --from outside
 finds_lie plates.ply proof.jsonl 'what hides' 's/"polygons":\[[0-9]*/"polygons":[11/'
 same plates.ply 200
 
