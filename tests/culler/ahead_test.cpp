@@ -12,6 +12,7 @@
 #include "camera/holds_for.h"
 #include "frames.h"
 #include "occlude/culler/camera.h"
+#include "sanitized.h"
 #include "scenes.h"
 #include "seed.h"
 
@@ -20,12 +21,9 @@ namespace ahead_test {
 using namespace occlude::culler;
 using glm::dvec3;
 using occlude::seed_of;
+using occlude::unless_sanitized;
 
-#ifdef OCCLUDE_SANITIZED
-constexpr unsigned kCameras = 200;
-#else
-constexpr unsigned kCameras = 5000;
-#endif
+constexpr unsigned kCameras = unless_sanitized(5000U, 200U);
 
 dvec3 some_direction(std::mt19937& random) {
   for (;;) {

@@ -31,6 +31,7 @@
 #include "model/outer_box.h"
 #include "occlude/culler/culler.h"
 #include "only_target.h"
+#include "sanitized.h"
 #include "scenes.h"
 
 namespace cover_test {
@@ -128,12 +129,8 @@ TEST_P(CoverFrames, WhatIsCulledIsHiddenByWhatIsNamed) {
   EXPECT_GT(polygons, 1000U);
 }
 
-// Sanitizers make the proofs ten times slower. A town of each kind is enough for them.
-#ifdef OCCLUDE_SANITIZED
-INSTANTIATE_TEST_SUITE_P(Seeds, CoverFrames, testing::Range(2, 4));
-#else
-INSTANTIATE_TEST_SUITE_P(Seeds, CoverFrames, testing::Range(1, 7));
-#endif
+// At least a town of each kind.
+INSTANTIATE_TEST_SUITE_P(Seeds, CoverFrames, testing::Range(unless_sanitized(1, 2), unless_sanitized(7, 4)));
 
 /// A folded wall of panels, none of which hides much alone, and small walls behind it.
 PolygonSoup panels(std::size_t across, int walls = 200) {
@@ -627,6 +624,17 @@ TEST(WorthOfHiding, PaysFromAQuarterOn) {
   const std::string again = kinds(worth, 60, 25, 75);
   const std::size_t first_try = again.find('T');
   EXPECT_EQ(again.substr(first_try, 8), "TLSSSSSL");
+}
+
+/// As one that comes out from behind a wall: what it sees then, no look has found idle.
+TEST(WorthOfHiding, FramesThatTakeTwiceTheWorkOfALookLookNext) {
+  WorthOfHiding worth;
+  EXPECT_EQ(kinds(worth, 2, 50, 50, 20'000), "LS");
+  EXPECT_EQ(kinds(worth, 1, 50, 50, 40'000), "S");
+  EXPECT_EQ(kinds(worth, 1, 50, 50, 40'001), "S");
+  EXPECT_EQ(kinds(worth, 7, 50, 50, 40'001), "LSSSSSL");
+  EXPECT_EQ(kinds(worth, 7, 50, 50, 100), "SSSSSLW");
+  EXPECT_EQ(kinds(worth, 4, 50, 50, 20'000), "WLSS");
 }
 
 TEST(WorthOfHiding, ViewsThatTryTakeLittleWork) {

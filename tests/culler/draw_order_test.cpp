@@ -13,11 +13,13 @@
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/hierarchy.h"
+#include "sanitized.h"
 #include "scenes.h"
 
 namespace draw_order_test {
 
 using namespace occlude::culler;
+using occlude::unless_sanitized;
 
 using Materials = std::vector<std::uint32_t>;
 
@@ -70,7 +72,7 @@ void expect_ranges(const DrawOrder& order, const std::vector<MaterialRange>& ran
 TEST(DrawOrder, RangesAreOfOneMaterialAndDrawWhatTheFrameDraws) {
   std::mt19937 random(3);
   std::size_t frames_in_part = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < unless_sanitized(20, 4); ++i) {
     const PolygonSoup soup = random_town(static_cast<std::uint32_t>(random()), 2000);
     const Culler culler(soup, {.hierarchy = {.leaf_size = 1U + static_cast<std::uint32_t>(random() % 16)}});
     const Materials materials = random_materials(random, soup, i % 2 == 0);
@@ -91,7 +93,7 @@ TEST(DrawOrder, RangesAreOfOneMaterialAndDrawWhatTheFrameDraws) {
     order.find_ranges({}, ranges);
     EXPECT_TRUE(ranges.empty());
   }
-  EXPECT_GT(frames_in_part, 150U);
+  EXPECT_GT(frames_in_part, unless_sanitized(150U, 30U));
 }
 
 /// Within a material polygons are in the order of the leaves, whatever other materials are between them.

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "sanitized.h"
 #include "scenes.h"
 #include "seed.h"
 #include "seen_by_rays.h"
@@ -19,6 +20,7 @@ namespace hidden_search_test {
 
 using namespace occlude::culler;
 using occlude::seed_of;
+using occlude::unless_sanitized;
 using occlude::kernel::Aabb;
 
 /// The boxes of the polygons, and then others.
@@ -53,7 +55,7 @@ glm::dvec3 some_point(std::mt19937& random, const Aabb& box) {
 TEST(HiddenSearch, WhatItFindsNoSegmentReaches) {
   std::mt19937 random(seed_of(7101));
   std::size_t hidden_polygons = 0, hidden_boxes = 0;
-  for (int trial = 0; trial < 24; ++trial) {
+  for (int trial = 0; trial < unless_sanitized(24, 8); ++trial) {
     const Culler culler(random_town_of_houses(static_cast<std::uint32_t>(random()), 1200));
     const SoupView soup = culler.hierarchy().soup();
     std::vector<Aabb> others;
@@ -82,8 +84,8 @@ TEST(HiddenSearch, WhatItFindsNoSegmentReaches) {
       }
     }
   }
-  EXPECT_GT(hidden_polygons, 1000U);
-  EXPECT_GT(hidden_boxes, 100U);
+  EXPECT_GT(hidden_polygons, unless_sanitized(1000U, 300U));
+  EXPECT_GT(hidden_boxes, unless_sanitized(100U, 30U));
 }
 
 /// All that becomes known is told once, with a witness that has it, also where a polygon is asked by itself. Told or not,

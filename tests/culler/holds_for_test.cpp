@@ -19,6 +19,7 @@
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/scene.h"
+#include "sanitized.h"
 #include "scenes.h"
 #include "seed.h"
 #include "seen_by_rays.h"
@@ -28,12 +29,9 @@ namespace holds_for_test {
 using namespace occlude::culler;
 using glm::dvec3;
 using occlude::seed_of;
+using occlude::unless_sanitized;
 
-#ifdef OCCLUDE_SANITIZED
-constexpr unsigned kCameras = 2000;
-#else
-constexpr unsigned kCameras = 100000;
-#endif
+constexpr unsigned kCameras = unless_sanitized(100'000U, 2000U);
 
 /// By how much the eye, relative to the middle, is in a box of three perpendicular half-edges or in a ball.
 Number inside(const EyeRegion& eyes, const Vector& e) {

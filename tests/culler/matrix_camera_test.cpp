@@ -31,6 +31,7 @@
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/validity.h"
+#include "sanitized.h"
 #include "scenes.h"
 #include "seed.h"
 
@@ -40,6 +41,7 @@ using namespace occlude;
 using namespace occlude::culler;
 using glm::dvec3;
 using occlude::seed_of;
+using occlude::unless_sanitized;
 
 /// The sign of a sum of products, exactly. REQUIRES: no product overflows or has bits below 2^-1074.
 template <std::size_t N>
@@ -98,11 +100,7 @@ bool shows(const MatrixCamera& camera, const dvec3& p) {
   return true;
 }
 
-#ifdef OCCLUDE_SANITIZED
-constexpr unsigned kMatrices = 1000;
-#else
-constexpr unsigned kMatrices = 10000;
-#endif
+constexpr unsigned kMatrices = unless_sanitized(10'000U, 1000U);
 
 /// Three perpendicular unit vectors. Some are along the axes, but for what sines and cosines leave.
 std::array<dvec3, 3> some_turn(std::mt19937& random) {

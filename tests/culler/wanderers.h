@@ -17,6 +17,7 @@
 
 #include "occlude/culler/camera.h"
 #include "occlude/culler/held_cull.h"
+#include "sanitized.h"
 #include "scenes.h"
 
 namespace occlude::culler {
@@ -24,11 +25,7 @@ namespace occlude::culler {
 /// OCCLUDE_HELD_FRAMES, or as many as the suite has time for.
 inline unsigned frames_wanted() {
   const char* const requested = std::getenv("OCCLUDE_HELD_FRAMES");
-#ifdef OCCLUDE_SANITIZED
-  constexpr unsigned kUsual = 300;
-#else
-  constexpr unsigned kUsual = 3000;
-#endif
+  constexpr unsigned kUsual = unless_sanitized(3000U, 300U);
   return requested != nullptr ? static_cast<unsigned>(std::strtoul(requested, nullptr, 10)) : kUsual;
 }
 

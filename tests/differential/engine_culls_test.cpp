@@ -22,6 +22,7 @@
 #include "occlude/oracle/cover.h"
 #include "occlude/oracle/questions.h"
 #include "proof/camera_picture.h"
+#include "sanitized.h"
 #include "seed.h"
 
 namespace engine_culls_test {
@@ -31,11 +32,7 @@ using namespace occlude::culler;
 using cases::to_oracle;
 using glm::dvec3;
 
-#ifdef OCCLUDE_SANITIZED
-constexpr int kFrames = 2;
-#else
-constexpr int kFrames = 8;
-#endif
+constexpr int kFrames = unless_sanitized(8, 2);
 
 CullOptions options_of(Method method) { return {.method = method, .cover = {.width = 256, .height = 144}}; }
 

@@ -13,6 +13,7 @@
 #include "cases/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/kernel/overlap.h"
+#include "sanitized.h"
 
 namespace answers_test {
 
@@ -79,12 +80,7 @@ constexpr Expected kExpected[] = {
     {0x1790155c67da9f24, 0x1e47162507d78bd9}, {0xbbfeead3def7ad9c, 0x0eb833710e04fe51},
 };
 
-// Sanitizers make the test ten times slower, and find as much in a tenth of the cases.
-#ifdef OCCLUDE_SANITIZED
-constexpr std::size_t kSlices = 1;
-#else
-constexpr std::size_t kSlices = std::size(kExpected);
-#endif
+constexpr std::size_t kSlices = unless_sanitized(std::size(kExpected), std::size_t{1});
 
 class Answers : public testing::TestWithParam<std::size_t> {};
 

@@ -241,7 +241,7 @@ constexpr std::array<dvec3, 3> kY{dvec3(0, 0, 1), dvec3(1, 0, 0), dvec3(0, 1, 0)
 constexpr std::array<dvec3, 3> kMinusX{dvec3(0, 1, 0), dvec3(0, 0, -1), dvec3(-1, 0, 0)};
 constexpr std::array<dvec3, 3> kOblique{dvec3(0.8, 0, -0.6), dvec3(0, 1, 0), dvec3(0.6, 0, 0.8)};
 constexpr Copy kResized[] = {
-    {0x1p-20, dvec3(0), kZ}, {32, dvec3(0), kY}, {0x1p-90, dvec3(0), kZ}, {0x1p+80, dvec3(0), kY}, {1, dvec3(0x1p60), kZ}};
+    {0x1p-20, dvec3(0), kZ}, {0x1p-90, dvec3(0), kZ}, {0x1p+80, dvec3(0), kY}, {1, dvec3(0x1p60), kZ}};
 constexpr Copy kMoved[] = {{1, dvec3(0x1p30, -0x1p30, 7), kMinusX}, {1, dvec3(-300, 50, 1e5), kOblique}};
 
 class EveryScene : public testing::TestWithParam<PolygonSoup (*)()> {};
@@ -258,11 +258,12 @@ TEST_P(EveryScene, OfAnySizeKeepsThePromise) {
 
 TEST_P(EveryScene, IsTouredInTheSameWayAnywhere) {
   const PolygonSoup original = GetParam()();
-  for (const Copy& copy : kMoved) {
-    const PolygonSoup soup = copy.of(original);
-    for (const TourKind kind : {TourKind::automatic, TourKind::walk, TourKind::fly}) {
-      const Tour tour = make_tour(soup, copy.axes[2], kind);
-      EXPECT_EQ(tour.kind, make_tour(original, kUp, kind).kind) << to_string(kind);
+  for (const TourKind asked : {TourKind::automatic, TourKind::walk, TourKind::fly}) {
+    const TourKind kind = make_tour(original, kUp, asked).kind;
+    for (const Copy& copy : kMoved) {
+      const PolygonSoup soup = copy.of(original);
+      const Tour tour = make_tour(soup, copy.axes[2], asked);
+      EXPECT_EQ(tour.kind, kind) << to_string(asked);
       expect_free(soup, tour.path);
     }
   }
