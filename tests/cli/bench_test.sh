@@ -22,7 +22,7 @@ expect_error "--repetitions" "$occlude" bench kernel --repetitions many
 expect_error "--seed" "$occlude" bench kernel --seed -1
 
 # bench culler: every experiment is there, and the files contain what it prints.
-"$occlude" bench culler --polygons 20000 --frames 0:8 --no-render --region-count 64 --repetitions 1 --largest 50000 --json --out bench >bench.json 2>stderr ||
+"$occlude" bench culler --polygons 20000 --frames 0:4 --no-render --region-count 64 --repetitions 1 --largest 50000 --json --out bench >bench.json 2>stderr ||
   fail "bench culler: $(cat stderr)"
 cmp -s bench.json bench/culler.json || fail "bench culler: culler.json is not what it prints"
 for member in model polygons frames options table2 methods mean culled_share speedup_limit figures_2_and_3 view_frustum_polygons figure4 knee \

@@ -80,8 +80,8 @@ same() {
 "$occlude" generate city --polygons 20000 --seed 5 --out city.ply --path city.json >/dev/null || fail "generate"
 "$occlude" walk city.ply --path city.json --frames 0:200:20 --no-render --method cover --out walked --witness witness.jsonl >/dev/null || fail "walk"
 city=(city.ply --path city.json)
-same "fuzz" "" fuzz --cases 40000 --seed 3 --findings '' --json
-ranks 1 "$occlude" fuzz --cases 40000 --seed 3 --findings '' --json >many.out || fail "fuzz: -n 1"
+same "fuzz" "" fuzz --cases 10000 --seed 3 --findings '' --json
+ranks 1 "$occlude" fuzz --cases 10000 --seed 3 --findings '' --json >many.out || fail "fuzz: -n 1"
 cmp -s <(without_times one.out) <(without_times many.out) || fail "fuzz: -n 1: another output"
 same "validate a file" "" validate "${city[@]}" --witness witness.jsonl --json
 same "validate anew" "" validate "${city[@]}" --frames 0:100:10 --size 160x90

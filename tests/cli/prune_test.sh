@@ -87,7 +87,8 @@ for place in '0 0' '0 1' '1 0' '1 1' '2 0' '2 1'; do
 done
 ply plates.ply 32 12 "$plates$(box 4 6)4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n4 20 21 22 23\n$(sides 24)"
 gone plates.ply 0 --from outside --effort 0
-gone_proved plates.ply 6 --from outside
+gone plates.ply 6 --from outside --witness proof.jsonl --witness-share 0.34
+proves plates.ply proof.jsonl 2
 finds_lie plates.ply proof.jsonl 'what hides' 's/"polygons":\[[0-9]*/"polygons":[11/'
 same plates.ply 200
 
@@ -103,14 +104,14 @@ same pieces.ply 50
 
 # A deep well, upside down: only an eye below looks into it. Culls prove that nothing is seen of the tile in it where a lid is
 # somewhat below, which makes it no closed part, and do not without the lid.
-well='-1 -1 0\n-1 -1 10\n-1 1 10\n-1 1 0\n1 -1 0\n1 -1 10\n1 1 10\n1 1 0\n'
-lid='-2 -2 -1\n2 -2 -1\n2 2 -1\n-2 2 -1\n' tile='-.2 -.2 9\n.2 -.2 9\n.2 .2 9\n-.2 .2 9\n'
+well='-1 -1 0\n-1 -1 4\n-1 1 4\n-1 1 0\n1 -1 0\n1 -1 4\n1 1 4\n1 1 0\n'
+lid='-2 -2 -1\n2 -2 -1\n2 2 -1\n-2 2 -1\n' tile='-.2 -.2 3\n.2 -.2 3\n.2 .2 3\n-.2 .2 3\n'
 walls='4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 3 2 6 7\n4 1 2 6 5\n'
 ply well.ply 12 6 "$well$tile${walls}4 8 9 10 11\n"
-gone well.ply 0 --from outside --rays 0 --effort 5000
+gone well.ply 0 --from outside --rays 0 --effort 1000
 same well.ply 50
 ply lid.ply 16 7 "$well$tile$lid${walls}4 8 9 10 11\n4 12 13 14 15\n"
-gone_proved lid.ply 1 --from outside --effort 5000
+gone_proved lid.ply 1 --from outside --effort 1000
 same lid.ply 50
 
 # A window in place of that side hides nothing, unless it is opaque.
@@ -305,8 +306,8 @@ done
 [ $? -eq 1 ] && grep -q '^picture' drawn && grep -q '^a ray reaches polygon 5,' drawn || fail "a side less is not found: $(cat drawn)"
 
 # The same with any number of threads; and again, of what was written.
-"$occlude" prune lid.ply --from outside --effort 5000 --out first.ply >/dev/null
-taskset -c 0 "$occlude" prune lid.ply --from outside --effort 5000 --out second.ply >/dev/null
+"$occlude" prune lid.ply --from outside --effort 1000 --out first.ply >/dev/null
+taskset -c 0 "$occlude" prune lid.ply --from outside --effort 1000 --out second.ply >/dev/null
 cmp first.ply second.ply || fail "threads"
 gone first.ply 0 --from outside --effort 5000
 

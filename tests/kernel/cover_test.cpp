@@ -13,10 +13,12 @@
 
 #include "hand_cases.h"
 #include "occlude/fuzz/random.h"
+#include "sanitized.h"
 
 namespace cover_test {
 
 using namespace occlude::kernel;
+using occlude::unless_sanitized;
 using occlude::fuzz::Random;
 using Polygons = std::vector<Cover::Polygon>;
 
@@ -104,7 +106,7 @@ Relation relation(const Viewpoint& view, const Polygons& polygons, const Aabb& b
 TEST(Cover, DependsOnTheSetsAlone) {
   std::mt19937 shuffle(1);
   int hidden = 0;
-  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+  for (std::uint64_t seed = 0; seed < unless_sanitized(3000U, 600U); ++seed) {
     Random random(seed);
     const Polygons polygons = lattice_polygons(random);
     const Aabb box = lattice_box(random);
@@ -147,12 +149,12 @@ TEST(Cover, DependsOnTheSetsAlone) {
               answer)
         << "moved, seed " << seed;
   }
-  EXPECT_GT(hidden, 300);
+  EXPECT_GT(hidden, unless_sanitized(300, 60));
 }
 
 /// Property (3).
 TEST(Cover, MorePolygonsHideNoLessAndOfLessBoxMore) {
-  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+  for (std::uint64_t seed = 0; seed < unless_sanitized(3000U, 600U); ++seed) {
     Random random(seed);
     const Polygons some = lattice_polygons(random), more = with(some, lattice_polygons(random));
     const Aabb box = lattice_box(random);

@@ -13,11 +13,13 @@
 #include "kernel/cube.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
+#include "sanitized.h"
 #include "seed.h"
 
 namespace region_shadow_test {
 
 using namespace occlude::kernel;
+using occlude::unless_sanitized;
 using occlude::fuzz::Random;
 
 constexpr Relation kInside = Relation::inside, kPartial = Relation::partial, kOutside = Relation::outside;
@@ -246,7 +248,7 @@ TEST(RegionShadow, RefusesWithTheReason) {
 TEST(RegionShadow, OfOneViewpointIsTheShadowFrustum) {
   Random random(occlude::seed_of(1));
   std::size_t asked = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < unless_sanitized(6000, 1500); ++i) {
     const auto families = occlude::fuzz::families();
     occlude::fuzz::Case c = make_case(families[random.index(families.size())], random.bits() >> 16U);
     c.near = Near::surface;
@@ -262,7 +264,7 @@ TEST(RegionShadow, OfOneViewpointIsTheShadowFrustum) {
       ++asked;
     }
   }
-  EXPECT_GT(asked, 6000U);
+  EXPECT_GT(asked, unless_sanitized(6000U, 1500U));
 }
 
 /// Property (5), for regions whose corners are doubles; and what follows for the outside: a box that meets the umbra meets
@@ -270,7 +272,7 @@ TEST(RegionShadow, OfOneViewpointIsTheShadowFrustum) {
 TEST(RegionShadow, IsMadeOfTheShadowsFromTheCorners) {
   Random random(occlude::seed_of(2));
   std::array<int, 3> umbras{}, penumbras{};
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < unless_sanitized(6000, 1500); ++i) {
     const auto whole = [&](int reach) { return 1. * random.integer(-reach, reach); };
     const Vec3 at{4 + whole(1), whole(1) - 3, whole(1) - 3}, u{whole(1), 6 + whole(2), whole(2)},
         v{whole(1), whole(2), 6 + whole(2)};
@@ -305,15 +307,15 @@ TEST(RegionShadow, IsMadeOfTheShadowsFromTheCorners) {
     ++umbras[static_cast<std::size_t>(of_umbra)];
     ++penumbras[static_cast<std::size_t>(of_penumbra)];
   }
-  for (const int count : umbras) EXPECT_GT(count, 300);
-  for (const int count : penumbras) EXPECT_GT(count, 300);
+  for (const int count : umbras) EXPECT_GT(count, unless_sanitized(300, 75));
+  for (const int count : penumbras) EXPECT_GT(count, unless_sanitized(300, 75));
 }
 
 /// Property (5): a smaller region has a larger umbra and a smaller penumbra.
 TEST(RegionShadow, GrowsAndShrinksWithTheRegion) {
   Random random(occlude::seed_of(3));
   int differ = 0;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < unless_sanitized(5000, 1000); ++i) {
     const auto real = [&](double size) { return random.real(-size, size); };
     Obb large{{0, 0, 0}, {}};
     for (Vec3& half_edge : large.half_edges) half_edge = {real(0.5), real(1), real(1)};
@@ -336,7 +338,7 @@ TEST(RegionShadow, GrowsAndShrinksWithTheRegion) {
     ASSERT_LE(of_small[1], of_small[0]) << "the penumbra contains the umbra";
     differ += of_small != of_large ? 1 : 0;
   }
-  EXPECT_GT(differ, 100);
+  EXPECT_GT(differ, unless_sanitized(100, 20));
 }
 
 }  // namespace region_shadow_test
