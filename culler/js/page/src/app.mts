@@ -111,10 +111,11 @@ export class App {
     this.walker.place = place ? this.#placeIn(place) : placeOf(model.flight, 0);
     this.setFlying(place === undefined);
     this.outside.restart(Math.min(0.6 * model.box.size, 60 * this.unit + 0.12 * model.box.size));
-    this.shows.cut = this.#isMostlyRoofed(place ? [this.walker.place] : samplesOf(model.flight));
+    this.shows.cut = false;
     this.forget();
     this.#step(0);
     await new Promise(resolve => setTimeout(resolve));
+    this.shows.cut = this.#isMostlyRoofed(place ? [this.walker.place] : samplesOf(model.flight));
     this.#occlude = await this.#loading;
     this.#prepare();
     this.wake();
