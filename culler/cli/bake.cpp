@@ -441,7 +441,7 @@ void add_bake(Command app, int&) {
       });
   add_output(command, "--out", a->out, "file to write").required();
   add_output(command, "--map", a->map,
-             "PNG of the cells from above, from dark blue over red to yellow by how much each sees");
+             "PNG of the cells from above, from dark blue over red to yellow by how much each sees", ".png");
   const Option size =
       command.add("--cell-size", a->grid.size, "side of a cube, in units of the model").show_default().in_range(1e-6, 1e9);
   const Option heights = command.add("--heights", a->heights, "LOW:HIGH: one layer of cells, from and to these heights");

@@ -248,9 +248,9 @@ void add_preprocess(Command app, int&) {
   Command outputs = command.add_any_of("Outputs", "one of these or more");
   add_output(outputs, "--out", a->out, "file to write");
   const Option inner_boxes = add_output(outputs, "--inner-boxes", a->inner_boxes,
-                                        "PLY to write: boxes inside of the closed parts, six quadrilaterals each");
+                                        "PLY to write: boxes inside of the closed parts, six quadrilaterals each", ".ply");
   const Option occluders = add_output(outputs, "--occluders", a->occluders,
-                                      "PLY to write: triangles on the model that hide in its place, the best first");
+                                      "PLY to write: triangles on the model that hide in its place, the best first", ".ply");
   a->read.add_to(command);
   a->build.add_to(command);
   command.add("--region-count", a->lists.regions, "number of regions aimed at; of a tree the most")

@@ -82,7 +82,8 @@ void add_bench_held(Command bench) {
                             .add("--speeds", a->speeds,
                                  "walk along the path at these speeds instead, in model units a second, separated by commas")
                             .split_at(',');
-  add_output(command, "--chart", a->chart, "draw milliseconds a frame over the speeds into this SVG file").needs(speeds);
+  add_output(command, "--chart", a->chart, "draw milliseconds a frame over the speeds into this SVG file", ".svg")
+      .needs(speeds);
   command.add_flag("--json", a->json, "print everything measured as JSON");
   command.run([a] { bench_held(*a); });
 }

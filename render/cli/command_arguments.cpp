@@ -5,8 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "occlude/render/console.h"
@@ -341,6 +345,17 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 
 Option add_output(Command command, const char* name, std::string& path, const std::string& text) {
   return command.add(name, path, text).check(check_named);
+}
+Option add_output(Command command, const char* name, std::string& path, const std::string& text, const char* extension) {
+  static constexpr std::array<std::string_view, 17> kOthers{".bmp",  ".csv",  ".dae",  ".fbx", ".gif",  ".glb",
+                                                            ".gltf", ".html", ".jpeg", ".jpg", ".json", ".obj",
+                                                            ".pdf",  ".ply",  ".png",  ".stl", ".svg"};
+  return add_output(command, name, path, text).check([extension](const std::string& file) -> std::string {
+    std::string ends = std::filesystem::path(file).extension().string();
+    for (char& c : ends) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (ends == extension || std::ranges::find(kOthers, ends) == kOthers.end()) return "";
+    return fmt::format("{}: what is written is no {} file: let the name end in {}", file, ends, extension);
+  });
 }
 
 void warn(const std::string& file, const std::string& doubt) {

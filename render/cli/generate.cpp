@@ -63,8 +63,8 @@ void add_generate(Command app, int&) {
       .show_default()
       .in_range(render::kSmallestCity, render::kLargestCity);
   city.add("--seed", arguments->seed, "whole number; the same seed gives the same bytes on any machine").show_default();
-  add_output(city, "--out", arguments->out, "PLY file to write").required();
-  add_output(city, "--path", arguments->path, "JSON file to write the camera path to").required();
+  add_output(city, "--out", arguments->out, "PLY file to write", ".ply").required();
+  add_output(city, "--path", arguments->path, "JSON file to write the camera path to", ".json").required();
   city.add_flag("--json", arguments->json, "print the counts as JSON");
   city.run([arguments] { generate(*arguments); });
 }

@@ -89,7 +89,7 @@ void add_inspect(Command app, int&) {
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   a->path.add_to(command, "path to fly along", "round the model");
   a->read.add_to(command);
-  add_output(command, "--out", a->out, "HTML file to write to").show_default();
+  add_output(command, "--out", a->out, "HTML file to write to", ".html").show_default();
   add_input(command, "--page", a->page, "the page to put it into, if it is not beside the program");
   command.run([a] { inspect(*a); });
 }

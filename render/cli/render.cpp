@@ -124,7 +124,7 @@ void add_render(Command app, int&) {
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   a->path.add_to(command, "camera path");
   a->walk.add_hold_to(command, a->path.add_region_to(command));
-  add_output(command, "--out", a->out, "PNG file to write").required();
+  add_output(command, "--out", a->out, "PNG file to write", ".png").required();
   command.add("--frame", a->frame, "number of the frame, from 0 (default: all of --frames, as an animated PNG)");
   command.add("--layer", a->layer, "what to draw: see below").show_default().one_of(names);
   command.add("--fps", a->fps, "frames per second of an animation")

@@ -49,13 +49,17 @@ keeps good.ply "$occlude" walk link.ply --path path.json --out out --witness goo
 keeps good.ply "$occlude" preprocess good.ply --out hard.ply
 keeps good.ply "$occlude" preprocess good.ply --inner-boxes hard.ply
 keeps good.ply "$occlude" preprocess good.ply --occluders hard.ply
-keeps path.json "$occlude" preprocess good.ply --occluders path.json --path path.json
+ln path.json path.ply
+keeps path.json "$occlude" preprocess good.ply --occluders path.ply --path path.json
+rm path.ply
 for name in summary.json frames.csv report.html; do
   mkdir reads && cp path.json reads/$name
   keeps reads/$name "$occlude" walk good.ply --path reads/$name --out reads --no-render
   rm -r reads
 done
-keeps good.ply "$occlude" render good.ply --path path.json --frame 0 --out link.ply
+ln -s good.ply link.png
+keeps good.ply "$occlude" render good.ply --path path.json --frame 0 --out link.png
+rm link.png
 for name in why.json view.png outside.png; do
   cp path.json $name
   keeps $name "$occlude" why good.ply --path $name --frame 0 --polygon 0 --out .
@@ -297,6 +301,12 @@ head -c 100 pipe >/dev/null &
 exit_code 2 "$occlude" walk city.ply --path city.json --frames 0:100 --no-render --out stopped --witness pipe
 grep -q 'pipe: cannot write: Broken pipe' stderr || fail "a pipe that ends: $(cat stderr)"
 nothing_left SIGPIPE
+
+# A name that says another format.
+expect_error 'h.jpg: what is written is no .jpg file: let the name end in .png' \
+  "$occlude" render good.ply --path path.json --frame 0 --layer camera --out h.jpg
+expect_error 'x.OBJ: what is written is no .obj file: let the name end in .ply' "$occlude" preprocess good.ply --occluders x.OBJ
+nothing_left "a name of another format"
 
 # A few threads are enough. Root has no limit, so it runs the command as nobody.
 chmod 777 .
