@@ -11,7 +11,7 @@
 #include <span>
 #include <tuple>
 
-#include "occlude/render/polygon_area.h"
+#include "model/bounds.h"
 
 namespace occlude::render {
 namespace {
@@ -75,7 +75,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> smooth_neighbours(SoupView 
 std::vector<dvec3> unit_normals(SoupView soup) {
   std::vector<dvec3> normals(soup.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
-    const dvec3 sum = doubled_area(soup, p);
+    const dvec3 sum = culler::doubled_area(soup, soup.loop(p));
     const double length = glm::length(sum);
     normals[p] = length > 0 && std::isfinite(length) ? sum / length : dvec3(0, 0, 0);
   }

@@ -9,7 +9,7 @@
 #include <limits>
 #include <span>
 
-#include "occlude/render/polygon_area.h"
+#include "model/bounds.h"
 
 namespace occlude::render {
 namespace {
@@ -57,7 +57,7 @@ std::optional<Cut> cut_between(const culler::Camera& camera, const culler::Camer
   const ItemBuffer items = renderer.item_buffer(back, std::span(&all, 1));
   const std::uint32_t between = items.at(items.width / 2, items.height / 2);
   if (between == kNothing) return std::nullopt;
-  const glm::dvec3 normal = doubled_area(soup, between), way = outside.eye - camera.eye;
+  const glm::dvec3 normal = culler::doubled_area(soup, soup.loop(between)), way = outside.eye - camera.eye;
   const double share = glm::dot(normal, soup.vertices[soup.loop(between)[0]] - camera.eye) / glm::dot(normal, way);
   if (!(share > 0 && share < 1)) return std::nullopt;
   const glm::dvec3 up = glm::normalize(camera.up);
