@@ -137,7 +137,8 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 
 /// Adds the same for an output file or folder.
 Option add_output(Command command, const char* name, std::string& path, const std::string& text);
-/// Adds the same for a file of a format that names end in, such as ".png". A name that ends as files of another do is refused.
+/// Adds the same for a file of a format that names end in, such as ".png". A name that ends as files of another do is
+/// refused.
 Option add_output(Command command, const char* name, std::string& path, const std::string& text, const char* extension);
 
 /// Says on standard error what is doubtful about a file, if anything is.
