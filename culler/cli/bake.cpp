@@ -56,7 +56,6 @@ struct BakeArguments {
   double closer = 0.02;
   std::size_t cover_size = 256;
   ReadArguments read;
-  std::vector<Option> reading;  ///< its options
   PathArguments path;
   PartsArguments parts;
   ProofArguments proofs;
@@ -386,9 +385,8 @@ Told write(Outputs& outputs, const VisibleSets& sets, const std::optional<UpAxis
 void bake(BakeArguments& arguments) {
   std::optional<Outputs> outputs;
   if (render::is_first_rank()) outputs.emplace(arguments);
-  require_settled(arguments.reading, arguments.model);
   render::WalkOptions walk;
-  walk.read = arguments.read.options();
+  walk.read = arguments.read.options(arguments.model);
   walk.cull.method = culler::Method::cover;
   walk.build.hierarchy.leaf_size = leaf_size_for(culler::Method::cover);
   const render::ModelFile model = open_model(arguments.model, walk);
@@ -452,7 +450,7 @@ void add_bake(Command app, int&) {
   add_input(command, "--objects", a->objects,
             "JSON file of objects, for sets of objects and not of polygons: for each a list of polygons and ranges [first, "
             "count]");
-  a->reading = a->read.add_to(command);
+  a->read.add_to(command);
   command.under(kTuning, [&] {
     command.add("--piece", a->piece, "cells are culled in pieces of at most this side: smaller ones may hide more")
         .show_default()

@@ -194,7 +194,7 @@ void preprocess(PreprocessArguments& arguments) {
   if (is_first && !arguments.out.empty()) file.emplace(arguments.out);
   if (is_first && !arguments.inner_boxes.empty()) box_file.emplace(arguments.inner_boxes);
   if (is_first && !arguments.occluders.empty()) occluder_file.emplace(arguments.occluders);
-  const render::Model model = read_model(arguments.model, arguments.read.options());
+  const render::Model model = read_model(arguments.model, arguments.read.options(arguments.model));
   const culler::PolygonSoup& soup = model.soup;
 
   render::Job job = job_of(arguments, soup);

@@ -300,7 +300,7 @@ void prune(PruneArguments& arguments) {
   if (!arguments.proofs.file.empty()) proofs.emplace(arguments.proofs.file);
   const render::FileParts parts = render::parts_of(arguments.model);
   render::WalkOptions walk;
-  walk.read = arguments.read.options();
+  walk.read = arguments.read.options(arguments.model);
   walk.cull.method = culler::Method::cover;
   walk.build.hierarchy.leaf_size = 1;  // polygon by polygon
   render::ModelFile model = open_model(arguments.model, walk);

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "audit_report.h"
 #include "command_arguments.h"
@@ -23,7 +22,6 @@ namespace {
 struct AuditArguments {
   std::string model, log, out, cover_size = "1152x720";
   ReadArguments read;
-  std::vector<Option> reading;  ///< its options
   AuditOptions options;
   bool json = false;
 };
@@ -39,8 +37,7 @@ void audit(AuditArguments& arguments, int& exit_code) {
   set_cover_size(arguments.options.cover, arguments.cover_size);
   std::optional<AuditFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
-  require_settled(arguments.reading, arguments.model);
-  const culler::Culler culler = culler_of(read_model(arguments.model, arguments.read.options()).soup);
+  const culler::Culler culler = culler_of(read_model(arguments.model, arguments.read.options(arguments.model)).soup);
   CullLog log(arguments.log, culler.hierarchy().face_count());
   Auditor auditor(culler, arguments.options);
   AuditSums sums;
@@ -79,7 +76,7 @@ void add_audit(Command app, int& exit_code) {
   add_output(
       command, "--out", a->out,
       "folder for false_culls.jsonl (frame, polygon, ray and pixel), pictures of them, frames.jsonl and summary.json");
-  a->reading = a->read.add_to(command);
+  a->read.add_to(command);
   command.under(kTuning, [&] {
     command
         .add("--item-buffers", a->options.item_buffers,

@@ -360,8 +360,7 @@ void validate_claims(const ValidateArguments& arguments, const render::WalkOptio
 }
 
 void validate(ValidateArguments& arguments, int& exit_code) {
-  render::WalkOptions options = arguments.walk.options();
-  arguments.walk.check_given(arguments.model);
+  render::WalkOptions options = arguments.walk.options(arguments.model);
   if (arguments.scene && !culler::is_by_cover(options.cull.method)) refuse("--scene", "a scene is not culled by frusta");
   const bool is_anew = arguments.witness.empty();
   require_readable_by_all(arguments.witness);

@@ -8,6 +8,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -92,6 +93,7 @@ class Beside {
 /// Where a camera is in each frame.
 struct Move {
   std::string name;
+  std::optional<double> speed;  ///< as of HeldMove
   std::function<Camera(std::size_t frame)> camera;
 };
 
@@ -103,7 +105,7 @@ std::vector<Move> moves(const Way& way, double frames_a_second, const std::vecto
   };
   if (!speeds.empty()) {
     std::vector<Move> result;
-    for (const double speed : speeds) result.push_back({fmt::format("{} a second", speed), along(speed)});
+    for (const double speed : speeds) result.push_back({fmt::format("{} a second", speed), speed, along(speed)});
     return result;
   }
   const auto turning = [&way, frames_a_second](std::size_t frame) {
@@ -120,10 +122,10 @@ std::vector<Move> moves(const Way& way, double frames_a_second, const std::vecto
     const double from = static_cast<double>(random()) / 4294967296.0 * way.length();
     return way.at(there_and_back(from + 1.5 * (seconds - std::floor(seconds)), way.length()));
   };
-  return {{"walking, 1.5 a second", along(1.5)},
-          {"driving, 15 a second", along(15)},
-          {"turning, 180 degrees a second", turning},
-          {"walking, elsewhere every second", jumping}};
+  return {{"walking, 1.5 a second", 1.5, along(1.5)},
+          {"driving, 15 a second", 15, along(15)},
+          {"turning, 180 degrees a second", std::nullopt, turning},
+          {"walking, elsewhere every second", 1.5, jumping}};
 }
 
 HeldMove measure(const culler::Culler& culler, const Move& move, const HeldBenchOptions& options) {
@@ -132,6 +134,7 @@ HeldMove measure(const culler::Culler& culler, const Move& move, const HeldBench
   culler::View view;
   HeldMove result;
   result.name = move.name;
+  result.speed = move.speed;
   double hidden = 0, more = 0;
   std::size_t compared = 0;
   for (std::size_t frame = 0; frame < options.frames; ++frame) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct HeldBenchOptions {
 /// One way to move: what its frames take.
 struct HeldMove {
   std::string name;
+  std::optional<double> speed;           ///< along the path, model units a second; none of a camera that stands
   double own_ms = 0;                     ///< a frame, on the calling thread: mean
   double worst_own_ms = 0;               ///< and most
   double worst_held_ms = 0;              ///< most of a frame that was not culled by point

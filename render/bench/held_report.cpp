@@ -12,6 +12,7 @@ namespace occlude::experiments {
 render::Table table_of(const HeldBenchResult& result, const HeldBenchOptions& options) {
   render::Table table{.title = "Culls that hold: " + result.model,
                       .columns = {{"milliseconds a frame", "move"},
+                                  {"", "speed"},
                                   {"held", "ms", render::rounded<3>},
                                   {"on the caller's thread", "own_ms", render::rounded<3>},
                                   {"worst there", "worst_own_ms", render::rounded<2>},
@@ -29,9 +30,9 @@ render::Table table_of(const HeldBenchResult& result, const HeldBenchOptions& op
                       .rows = {}};
   for (const HeldMove& move : result.moves) {
     const culler::HeldStats& stats = move.stats;
-    table.rows.push_back({move.name, move.ms(), move.own_ms, move.worst_own_ms, move.worst_held_ms, move.beside_ms,
-                          move.worst_beside, move.point_ms, move.hidden_share, move.drawn, move.drawn_by_point,
-                          stats.of_point, stats.regions, stats.around, stats.late});
+    table.rows.push_back({move.name, render::if_known(move.speed), move.ms(), move.own_ms, move.worst_own_ms,
+                          move.worst_held_ms, move.beside_ms, move.worst_beside, move.point_ms, move.hidden_share,
+                          move.drawn, move.drawn_by_point, stats.of_point, stats.regions, stats.around, stats.late});
   }
   table.notes = {fmt::format("{} polygons; {} frames of each, {} a second; regions are culled beside, and counted.",
                              result.polygons, options.frames, options.frames_a_second),

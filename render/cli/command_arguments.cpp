@@ -58,6 +58,13 @@ std::string fault_of(const std::string& text, const Parse& parse, const char* ex
   return text == "file" || parse(text) ? "" : fmt::format("expected {}, or file", expected);
 }
 
+/// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
+void require_settled(const std::vector<Option>& options, const std::string& model) {
+  const auto given = std::ranges::find_if(options, &Option::is_given);
+  if (given == options.end() || !render::is_store(model)) return;
+  refuse(given->name(), model + " is a store, in which this is settled: give it to the `occlude preprocess` that makes it");
+}
+
 Option choice(Command command, const char* name, std::string& value, const std::vector<std::string>& choices,
               const char* text) {
   return command.add(name, value, text).show_default().one_of(choices);
@@ -102,7 +109,7 @@ void WalkArguments::add_hold_to(Command command, Option region) {
 }
 
 std::vector<Option> ReadArguments::add_to(Command command) {
-  return {
+  added_ = {
       command.add_flag("--opaque-all", is_opaque_all_,
                        "take all surfaces for opaque: glass, and what else lets light through, hides what is behind it"),
       command
@@ -116,9 +123,11 @@ std::vector<Option> ReadArguments::add_to(Command command) {
                "model to metres (default: coordinates are those of the file)")
           .check(
               [](const std::string& text) { return fault_of(text, render::parse_unit, "m, km, cm, mm, in, ft, metres"); })};
+  return added_;
 }
 
-render::ReadOptions ReadArguments::options() const {
+render::ReadOptions ReadArguments::options(const std::string& model) const {
+  require_settled(added_, model);
   render::ReadOptions options{is_opaque_all_, {!unit_.empty(), !up_.empty()}};
   options.conversion.file.metres = render::parse_unit(unit_).value_or(0);
   options.conversion.file.up = render::parse_up(up_).value_or(glm::dvec3(0));
@@ -260,29 +269,29 @@ std::vector<Option> WalkArguments::add_debugging_to(Command command) {
 }
 
 Option WalkArguments::add_model_to(Command command) {
-  const std::vector<Option> reading = read_.add_to(command);
+  read_.add_to(command);
   std::vector<Option> added;
   command.under(kTuning, [&] {
     added.push_back(add_input(command, "--preprocess", preprocess_, "store of this model, by `occlude preprocess`"));
   });
   for (Option option : build_options_) added.front().excludes(option);
   build_options_.push_back(added.front());
-  build_options_.insert(build_options_.end(), reading.begin(), reading.end());
   return added.front();
 }
 
-void WalkArguments::check_given(const std::string& model) const {
-  require_settled(build_options_, model);
+void WalkArguments::warn_of_unused() const {
   if (!has_method()) return;  // then it is one that has them, or all are compared
   for (const Option& option : method() == culler::Method::frusta ? options_of_cover_ : options_of_frusta_) {
     if (option.is_given()) warn(option.name(), fmt::format("does nothing by {}", method_));
   }
 }
 
-void require_settled(std::span<const Option> options, const std::string& model) {
-  const auto given = std::ranges::find_if(options, &Option::is_given);
-  if (given == options.end() || !render::is_store(model)) return;
-  refuse(given->name(), model + " is a store, in which this is settled: give it to `occlude preprocess`");
+render::WalkOptions WalkArguments::options(const std::string& model) const {
+  render::WalkOptions all = options();
+  require_settled(build_options_, model);
+  all.read = read_.options(model);
+  warn_of_unused();
+  return all;
 }
 
 render::WalkOptions WalkArguments::options() const {
@@ -298,7 +307,6 @@ render::WalkOptions WalkArguments::options() const {
   options.cull.margin = culler::margin_for(options.height, pixel_margin_);
   options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
   options.preprocess = preprocess_;
-  options.read = read_.options();
   options.cull.shadow_near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;
   options.cull.arithmetic = arithmetic_ == "certified" ? kernel::Arithmetic::certified : kernel::Arithmetic::plain;
   options.build = build_.config(options.cull.method);

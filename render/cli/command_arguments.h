@@ -2,7 +2,6 @@
 // Options that several subcommands share.
 #pragma once
 
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,11 +23,13 @@ class ReadArguments {
   /// Adds the options and returns them.
   std::vector<Option> add_to(Command command);
 
-  [[nodiscard]] render::ReadOptions options() const;
+  /// Of this model. Calls refuse() if it is a store and an option is given: they are settled in it.
+  [[nodiscard]] render::ReadOptions options(const std::string& model) const;
 
  private:
   bool is_opaque_all_ = false;
   std::string up_, unit_;
+  std::vector<Option> added_;
 };
 
 /// The options for preparing a model.
@@ -68,14 +69,16 @@ class WalkArguments {
 
   /// Notes that by the other methods the option does nothing: without --method it asks for frusta. Returns the option.
   Option of_frusta(Option option);
-  /// require_settled() of the options by which the model is read and prepared. Warns of those that do nothing by --method.
-  void check_given(const std::string& model) const;
   /// Whether --method is given.
   [[nodiscard]] bool has_method() const { return !method_.empty(); }
-  /// The parsed options. Calls refuse() for text that cannot be parsed.
+  /// The parsed options, but for those of add_model_to(). Calls refuse() for text that cannot be parsed.
   [[nodiscard]] render::WalkOptions options() const;
+  /// All of them, for a walk through this model. Calls refuse() also if it is a store and an option is given by which models
+  /// are read or prepared. Warns of those that do nothing by --method.
+  [[nodiscard]] render::WalkOptions options(const std::string& model) const;
 
  private:
+  void warn_of_unused() const;
   [[nodiscard]] culler::Method method() const;
   Option of_cover(Option option);
   std::vector<Option> add_common_to(Command command);
@@ -89,7 +92,7 @@ class WalkArguments {
   ReadArguments read_;
   BuildArguments build_;
   std::vector<Option> options_of_frusta_, options_of_cover_;
-  std::vector<Option> build_options_;  ///< and those of add_model_to(), once they are added
+  std::vector<Option> build_options_;  ///< and --preprocess, once it is added
   double pixel_margin_ = culler::kPixelMargin, hold_ = 0;
   culler::CullOptions cull_;
 };
@@ -111,9 +114,6 @@ class PartsArguments {
 struct PictureSize {
   int width, height;
 };
-
-/// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
-void require_settled(std::span<const Option> options, const std::string& model);
 
 /// Parses "WxH", each from `least` to `most` pixels; calls refuse() for anything else.
 [[nodiscard]] PictureSize parse_size(const std::string& option, const std::string& text, std::size_t least,

@@ -54,7 +54,7 @@ void require_small(const std::string& file, culler::SoupView model) {
 void inspect(const InspectArguments& arguments) {
   render::OutputFile out(arguments.out);
   const std::string page = read_page(arguments.page);
-  const render::Model read = read_model(arguments.model, arguments.read.options());
+  const render::Model read = read_model(arguments.model, arguments.read.options(arguments.model));
   require_small(arguments.model, read.soup);
   render::Inspected inspected{render::printable(std::filesystem::path(arguments.model).filename().native()), read.soup,
                               render::up_of(read.notes)};

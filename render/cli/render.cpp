@@ -59,8 +59,7 @@ const std::array<Layer, 8> kLayers{{
 }};
 
 void render_frames(const RenderArguments& arguments) {
-  const render::WalkOptions options = arguments.walk.options();
-  arguments.walk.check_given(arguments.model);
+  const render::WalkOptions options = arguments.walk.options(arguments.model);
   std::optional<std::size_t> frame;
   if (arguments.frame) frame = whole_number("--frame", *arguments.frame);
   render::OutputFile file(arguments.out);

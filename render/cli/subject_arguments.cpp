@@ -30,7 +30,7 @@ experiments::Subject SubjectArguments::subject() const {
     render::City city = render::generate_city(polygons_, seed());
     return {fmt::format("generated city, seed {}", seed_), std::move(city.soup), std::move(city.path)};
   }
-  render::Model model = read_model(model_, read_.options());
+  render::Model model = read_model(model_, read_.options(model_));
   render::CameraPath path = path_.through(model_, model);
   warn_of_misfit(path, path_, model_, model.soup);
   return {render::printable(std::filesystem::path(model_).filename().native()), std::move(model.soup), std::move(path)};

@@ -69,8 +69,7 @@ std::string what_is_walked(const std::string& name, const culler::Culler& culler
 
 void walk(const WalkCommand& arguments, int& exit_code, const std::string& command_line) {
   const std::optional<double> load = render::load_of_machine();  // before this walk adds to it
-  render::WalkOptions options = arguments.walk.options();
-  arguments.walk.check_given(arguments.model);
+  render::WalkOptions options = arguments.walk.options(arguments.model);
   options.render = !arguments.no_render;
   if (!arguments.witness.empty()) options.witness = arguments.witness;
   if (!arguments.log.empty()) options.log = arguments.log;

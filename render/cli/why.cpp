@@ -69,8 +69,7 @@ Pixel parse_pixel(const std::string& text, const render::WalkOptions& options) {
 }
 
 int why(const WhyArguments& arguments) {
-  const render::WalkOptions options = arguments.walk.options();
-  arguments.walk.check_given(arguments.model);
+  const render::WalkOptions options = arguments.walk.options(arguments.model);
   std::optional<Pixel> pixel;
   if (!arguments.polygon) pixel = parse_pixel(arguments.pixel, options);
   const std::size_t number = whole_number("--frame", arguments.frame);

@@ -98,12 +98,15 @@ for member in model polygons frames moves ms own_ms worst_own_ms beside_ms point
   machine; do
   grep -q "^ *\"$member\": " held.json || fail "bench held: no $member"
 done
+speeds() { sed -n 's/^ *"speed": \(.*\),$/\1/p' held.json | tr '\n' ' '; }
 [ "$(grep -c '"move": ' held.json)" -eq 4 ] || fail "bench held: $(grep -c '"move": ' held.json) ways to move"
+[ "$(speeds)" = "1.5 15.0 null 1.5 " ] || fail "bench held: speeds $(speeds)"
 grep -q '"regions": 0,' held.json && fail "bench held: no region was culled"
 "$occlude" bench held good.ply --path path.json --frames 2 | grep -q 'turning' || fail "bench held without --json"
 expect_error "--frames" "$occlude" bench held --frames 0
 "$occlude" bench held good.ply --path path.json --frames 40 --speeds 0.5,2,8 --chart held.svg --json >held.json || fail "bench held --speeds"
 [ "$(grep -c '"move": ".* a second"' held.json)" -eq 3 ] && grep -q '"move": "0.5 a second"' held.json || fail "bench held --speeds: $(cat held.json)"
+[ "$(speeds)" = "0.5 2.0 8.0 " ] || fail "bench held --speeds: speeds $(speeds)"
 [ "$(grep -o '<polyline' held.svg | wc -l)" -eq 2 ] && [ "$(grep -o '<circle' held.svg | wc -l)" -eq 6 ] && grep -q '^<svg xmlns=' held.svg ||
   fail "bench held --chart: $(cat held.svg)"
 for speeds in 0,1 2,1 1,x -1 1,inf; do expect_error "--speeds" "$occlude" bench held --speeds "$speeds"; done

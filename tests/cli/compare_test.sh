@@ -28,7 +28,13 @@ grep -qE '^culled_share .* worse$' stdout || fail "culling less is not marked: $
 grep -qE '^mean.rendered_polygons .* worse$' stdout || fail "drawing more is not marked: $(cat stdout)"
 walk --out region --region 0.01
 compare a region
-grep -q '^not the same: options.region: null and 0.01$' stdout || fail "walks that hold for a region: $(cat stdout)"
+grep -q '^not the same: options.region: none and 0.01$' stdout || fail "walks that hold for a region: $(cat stdout)"
+compare a region --json --out page.html
+grep -q '<p>Not the same: options.region: none and 0.01</p>' page.html || fail "walks that hold for a region: the page"
+grep -A1 '"name": "options.region"' stdout | grep -q '"a": "null"' || fail "walks that hold for a region: $(cat stdout)"
+sed '/"cover_size": \[/,/\]/d' a/summary.json >older.json
+compare older.json a/summary.json
+grep -q '^not the same: options.cover_size: none and \[576,360\]$' stdout || fail "a member that is not there: $(cat stdout)"
 compare less a
 grep -qE '^culled_share .* better$' stdout || fail "culling more is not marked: $(cat stdout)"
 "$occlude" compare a less --fail-if-worse >stdout

@@ -36,9 +36,26 @@ expect_error "--up: expected x, y, z, -x, -y, -z, or file" "$occlude" walk wall.
 expect_error "--unit: expected m, km, cm, mm, in, ft, metres, or file" "$occlude" walk wall.obj --path path.json --unit miles --out new
 expect_error "wall.obj: does not say which axis is up" "$occlude" walk wall.obj --path path.json --up file --out new
 expect_error "wall.obj: does not say what its unit is" "$occlude" walk wall.obj --path path.json --unit file --out new
-expect_error "--up: wall.store is a store, in which this is settled" "$occlude" walk wall.store --path path.json --up y --out new
-expect_error "--unit: wall.store is a store, in which this is settled" \
-  "$occlude" why wall.store --path path.json --frame 0 --polygon 0 --unit m
+
+# What is settled in a store, every command refuses, in the same words.
+settled="wall.store is a store, in which this is settled: give it to the \`occlude preprocess\` that makes it"
+path=(wall.store --path path.json)
+touch log.jsonl && echo '<!-- The model of `occlude inspect` -->' >page.html
+for option in "--up y" "--unit m" "--opaque-all"; do
+  refused() { expect_error "occlude: ${option% *}: $settled" "$occlude" "$@" $option; }
+  refused walk "${path[@]}" --out new
+  refused why "${path[@]}" --frame 0 --polygon 0
+  refused render "${path[@]}" --out new.png
+  refused validate "${path[@]}"
+  refused audit wall.store --log log.jsonl
+  refused preprocess wall.store --out new.store
+  refused bake wall.store --cells grid --out new.pvs
+  refused inspect wall.store --page page.html --out new.html
+  refused bench culler "${path[@]}" --out new
+  refused bench rivals "${path[@]}" --out new
+  refused bench held "${path[@]}"
+  refused bench all "${path[@]}" --out new
+done
 
 # What is left out is said in one line, and nothing else is.
 printf "${wall}v nan 0 0\nf 1 2\np 3\nf 1 2 3 4\nf 5 6 7 8\n" >odd.obj

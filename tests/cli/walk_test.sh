@@ -61,7 +61,10 @@ expect_error "good.ply: there is no camera in it" "$occlude" validate good.ply -
 # Folders and options.
 touch file
 expect_error "file" "$occlude" walk good.ply --path path.json --out file/out
-expect_error "no frame" "$occlude" walk good.ply --path path.json --out out --frames 9:10
+for frames in 4:9 9:10 2:1; do
+  expect_error "--frames: no frame selected: the path has 4 frames, 0 to 3" \
+    "$occlude" walk good.ply --path path.json --out out --frames $frames
+done
 expect_error "--frames" "$occlude" walk good.ply --path path.json --out out --frames 1
 expect_error "--size" "$occlude" walk good.ply --path path.json --out out --size 0x10
 expect_error "--arithmetic" "$occlude" walk good.ply --path path.json --out out --arithmetic float

@@ -73,16 +73,24 @@ class KeptJob : public testing::Test {
   KeptJob() { fs::create_directory(folder_); }
   ~KeptJob() override { fs::remove_all(folder_); }
 
-  /// Works until `parts` are done, and dies.
-  void die_after(int parts) {
+  /// Works until `parts` more are done, and dies of an `End`.
+  template <class End>
+  void end_after(int parts, const End& end, bool resume = false) {
     Doubling doubling;
     Stage stage = doubling.stage();
     stage.work = [&, work = stage.work](const std::string& input) {
-      if (doubling.worked == parts) throw std::runtime_error("died");
+      if (doubling.worked == parts) throw end;
       return work(input);
     };
-    Job job({.folder = parts_, .resume = false}, [] { return 1; });
-    EXPECT_THROW(job.run(stage), std::runtime_error);
+    Job job({.folder = parts_, .resume = resume}, [] { return 1; });
+    EXPECT_THROW(job.run(stage), End);
+  }
+  void die_after(int parts) { end_after(parts, std::runtime_error("died")); }
+  /// What a job says that is interrupted after so many more parts.
+  std::string said_after(int parts, bool resume) {
+    testing::internal::CaptureStderr();
+    end_after(parts, Interrupted(), resume);
+    return testing::internal::GetCapturedStderr();
   }
   [[nodiscard]] std::string refusal(std::uint64_t key, bool resume) const {
     try {
@@ -250,6 +258,14 @@ TEST_F(KeptJob, RefusesPartsOfAnotherJob) {
 
 TEST_F(KeptJob, RefusesToGoOnWithNothing) {
   EXPECT_EQ(refusal(1, true), parts_ + ": has no parts of an earlier run, so --resume cannot go on");
+}
+
+TEST_F(KeptJob, SaysWhatItHasKept) {
+  EXPECT_EQ(said_after(0, false), "") << "--resume has nothing to go on with";
+  EXPECT_FALSE(fs::exists(parts_));
+  const std::string line = "occlude: 2 finished parts are in " + parts_ + ": --resume goes on\n";
+  EXPECT_EQ(said_after(2, false), line);
+  EXPECT_EQ(said_after(0, true), line) << "interrupted once more, before it has done anything";
 }
 
 TEST_F(KeptJob, LeavesNoFolderWithoutParts) {

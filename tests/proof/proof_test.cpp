@@ -241,9 +241,10 @@ TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {
   const auto prove = [&](std::size_t vertices) {
     std::string list = "[5,0,0]";
     for (std::size_t i = 1; i < vertices; ++i) list += ",[5,0,0]";
-    return prover.prove(fmt::format(
-        R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[5,-9,-9],"max":[10,9,9]}},"triangles":[0,1],"by":"shadow","near":"surface","occluders":[{{"vertices":[{}],"faces":[]}}]}})",
-        list));
+    return prover.prove(
+        fmt::format(R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[5,-9,-9],"max":[10,9,9]}},"triangles":[0,1],"by":"shadow",)"
+                    R"("near":"surface","occluders":[{{"vertices":[{}],"faces":[]}}]}})",
+                    list));
   };
   EXPECT_NO_THROW(prove(kMostCorners));
   EXPECT_THROW(prove(kMostCorners + 1), LineError);
@@ -324,7 +325,8 @@ TEST(ShadowProof, RefusesOccludersThatAreSeeThrough) {
                                   run_of(0), run_of(1))
                     : R"("polygon":[[2,-1,-1],[2,0,-1],[2,0,1],[2,-1,1]])";
       const std::string line = fmt::format(
-          R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[6,-0.5,-0.5],"max":[6,-0.25,-0.25]}},"triangles":{},"by":"shadow","occluders":[{{{}}}],"near":"surface"}})",
+          R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[6,-0.5,-0.5],"max":[6,-0.25,-0.25]}},"triangles":{},"by":"shadow",)"
+          R"("occluders":[{{{}}}],"near":"surface"}})",
           run_of(2), occluder);
       EXPECT_EQ(prover.prove(line).failure, is_opaque ? "" : "the occluder is not of the model outside the subtree");
     }
@@ -385,9 +387,9 @@ class RegionCull : public testing::Test {
     std::uint32_t p = 0;
     while (hierarchy.original(p) != 3) ++p;
     return prover
-        .prove(fmt::format(
-            R"({{"frame":0,"eyes":{},"box":{{"min":[6,-1,-1],"max":[6,1,1]}},"triangles":[{},2],"focus":{{"point":[2,0,0],"normal":[1,0,0],"right":[0,-1,0]}},{}}})",
-            eyes, hierarchy.first_triangle(p), rest))
+        .prove(fmt::format(R"({{"frame":0,"eyes":{},"box":{{"min":[6,-1,-1],"max":[6,1,1]}},"triangles":[{},2],)"
+                           R"("focus":{{"point":[2,0,0],"normal":[1,0,0],"right":[0,-1,0]}},{}}})",
+                           eyes, hierarchy.first_triangle(p), rest))
         .failure;
   }
   [[nodiscard]] std::string fault_of_cover(const std::string& eyes, const std::string& windows) const {
@@ -415,9 +417,9 @@ TEST_F(RegionCull, IsProvedByTheOracle) {
       << "the first axis is -y";
   EXPECT_EQ(fault_of_cover(ball_, ""), kUncovered);
   const auto nested = [](double half) {
-    return fmt::format(
-        R"({{"rect":[-0.51,-0.51,0.51,0.51],"focus":{{"point":[1,0,0],"normal":[1,0,0],"right":[0,-1,0]}},"windows":[{{"rect":[-{0},-{0},{0},{0}],"polygons":[0,1]}}]}})",
-        half);
+    return fmt::format(R"({{"rect":[-0.51,-0.51,0.51,0.51],"focus":{{"point":[1,0,0],"normal":[1,0,0],"right":[0,-1,0]}},)"
+                       R"("windows":[{{"rect":[-{0},-{0},{0},{0}],"polygons":[0,1]}}]}})",
+                       half);
   };
   EXPECT_EQ(fault_of_cover(ball_, nested(0.5)), "");
   EXPECT_EQ(fault_of_cover(ball_, nested(0.3)), std::string("window 0: ") + kUncovered);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+
 #include "dealer.h"
 #include "helpers.h"
 #include "kept_parts.h"
@@ -38,9 +40,9 @@ void Job::run(const Stage& stage) {
   try {
     run_first(stage, number);
   } catch (const Interrupted&) {
-    if (kept_) {
-      say(printable(fmt::format("occlude: {} finished parts are in {}: --resume goes on", kept_->count(),
-                                kept_->folder().string())) +
+    const std::size_t parts = kept_ ? kept_->count() : 0;
+    if (parts > 0) {
+      say(printable(fmt::format("occlude: {} finished parts are in {}: --resume goes on", parts, kept_->folder().string())) +
           "\n");
     }
     throw;

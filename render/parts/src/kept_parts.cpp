@@ -80,11 +80,15 @@ KeptParts::KeptParts(fs::path folder, std::uint64_t key, bool resume) : folder_(
 }
 
 KeptParts::~KeptParts() {
-  const auto is_part = [](const fs::path& file) { return file.filename().native().starts_with("part-"); };
-  if (std::ranges::none_of(files_of(folder_), is_part)) remove();
+  if (count() == 0) remove();
 }
 
-std::optional<std::string> KeptParts::find(PartNumber number, const std::string& input) {
+std::size_t KeptParts::count() const {
+  const auto is_part = [](const fs::path& file) { return file.filename().native().starts_with("part-"); };
+  return static_cast<std::size_t>(std::ranges::count_if(files_of(folder_), is_part));
+}
+
+std::optional<std::string> KeptParts::find(PartNumber number, const std::string& input) const {
   const fs::path file = file_of(number);
   if (!is_there(file)) return std::nullopt;
   std::string bytes = read_input(file, kMostPart);
@@ -94,7 +98,6 @@ std::optional<std::string> KeptParts::find(PartNumber number, const std::string&
   if (bytes.compare(0, head, head_of(number, input, result)) != 0) {
     throw InputError(file.string() + ": not as a run of yours has kept it; remove it, and --resume makes it again");
   }
-  ++count_;
   bytes.erase(0, head);
   return bytes;
 }
@@ -103,7 +106,6 @@ void KeptParts::keep(PartNumber number, const std::string& input, const std::str
   const std::string head = head_of(number, input, result);
   if (head.size() + result.size() > kMostPart) return;  // it would not be read
   write(file_of(number), head, result);
-  ++count_;
 }
 
 void KeptParts::remove() {

@@ -2,6 +2,7 @@
 // The finished parts of a job, as files of a folder. Each is sealed: only what a run of this user has kept is used again.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -29,12 +30,13 @@ class KeptParts {
 
   /// The result of a part that was kept for this input. Throws InputError, naming the file, if no run of
   /// this user has kept it so.
-  [[nodiscard]] std::optional<std::string> find(PartNumber number, const std::string& input);
+  [[nodiscard]] std::optional<std::string> find(PartNumber number, const std::string& input) const;
   /// Keeps a result, unless it is too large to be read again.
   void keep(PartNumber number, const std::string& input, const std::string& result);
   void remove();
 
-  [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// The parts in the folder, also those that this run has not come to.
+  [[nodiscard]] std::size_t count() const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::filesystem::path file_of(PartNumber number) const;
 
@@ -45,7 +47,6 @@ class KeptParts {
   std::filesystem::path folder_;
   std::uint64_t key_;
   Seal seal_;
-  std::uint64_t count_ = 0;  ///< parts that this run has found or kept
 };
 
 }  // namespace occlude::render

@@ -23,6 +23,12 @@ const char* word_for(Verdict verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
+/// Of which values a difference is. A member that is null, or is not there, is "none".
+std::string text_of(const Difference& d) {
+  const auto value = [](const std::string& text) { return text == "null" || text == "-" ? "none" : text; };
+  return fmt::format("{}: {} and {}", d.name, value(d.a), value(d.b));
+}
+
 /// Why times are not to be believed; empty if nothing speaks against them.
 std::vector<std::string> doubts(const WalkComparison& comparison) {
   std::vector<std::string> doubts;
@@ -107,7 +113,7 @@ std::string plate(const char* letter, const ComparedWalk& walk) {
 std::string text_of(const WalkComparison& comparison, const Paint& paint) {
   std::string text = fmt::format("A: {}\nB: {}\n", comparison.a.name, comparison.b.name);
   for (const Difference& d : comparison.differences) {
-    text += paint(Colour::yellow, fmt::format("not the same: {}: {} and {}", d.name, d.a, d.b)) + '\n';
+    text += paint(Colour::yellow, "not the same: " + text_of(d)) + '\n';
   }
   for (const std::string& doubt : doubts(comparison)) text += paint(Colour::yellow, "warning: " + doubt) + '\n';
   return text + '\n' + text_of(known_figures(comparison), paint) + '\n' + conclusion(comparison) + '\n';
@@ -132,7 +138,7 @@ std::string comparison_page(const WalkComparison& comparison) {
       fmt::format("<h1>{} and {}</h1><p class=\"lead\">Two walks compared. A: {}<br>B: {}</p>", escaped(comparison.a.label),
                   escaped(comparison.b.label), escaped(comparison.a.name), escaped(comparison.b.name));
   for (const Difference& d : comparison.differences) {
-    body += fmt::format("<p>Not the same: {}: {} and {}</p>", escaped(d.name), escaped(d.a), escaped(d.b));
+    body += fmt::format("<p>Not the same: {}</p>", escaped(text_of(d)));
   }
   for (const std::string& doubt : doubts(comparison)) body += fmt::format(R"(<p class="note">{}</p>)", escaped(doubt));
   if (comparison.a.plate) {

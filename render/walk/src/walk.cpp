@@ -78,7 +78,8 @@ std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& op
   const std::size_t end = std::min(options.end, path.frames);
   for (std::size_t f = options.begin; f < end; f += std::min(options.step, end - f)) frames.push_back(f);
   if (frames.empty()) {
-    throw InputError(fmt::format("no frame selected: the path has frames 0 to {}", path.frames - 1));
+    throw InputError(
+        fmt::format("--frames: no frame selected: the path has {} frames, 0 to {}", path.frames, path.frames - 1));
   }
   return frames;
 }
