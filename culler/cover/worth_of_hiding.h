@@ -74,7 +74,7 @@ class WorthOfHiding {
   /// While it does not pay, the next try comes after twelve frames, then after 24, then after 48 ever.
   static constexpr std::size_t kInterval = 6, kMostInterval = 48;
   /// A frame that takes so many times the work of the last look sees what that did not: what is idle was found where a wall
-  /// hid nearly everything, say. In a forest a tenth of all the work is saved by this.
+  /// hid nearly everything, say. In a forest that saves a seventh of the time.
   static constexpr std::size_t kMoreThanALook = 2;
   /// Hiding pays while at least this share of what was in view in the last frames, each counted by how much it had in view,
   /// was hidden. Where all is drawn, that costs at most a third more than without what is hidden. Above landscapes it is a

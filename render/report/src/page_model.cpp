@@ -22,8 +22,9 @@ std::vector<bool> largest(culler::SoupView soup, std::size_t most) {
   std::vector<bool> chosen(soup.size(), soup.size() <= most);
   if (soup.size() <= most) return chosen;
   std::vector<std::pair<double, std::uint32_t>> by_area;
-  for (std::uint32_t p = 0; p < soup.size(); ++p)
+  for (std::uint32_t p = 0; p < soup.size(); ++p) {
     by_area.emplace_back(-glm::length(culler::doubled_area(soup, soup.loop(p))), p);
+  }
   std::ranges::nth_element(by_area, by_area.begin() + static_cast<std::ptrdiff_t>(most));
   for (std::size_t i = 0; i < most; ++i) chosen[by_area[i].second] = true;
   return chosen;
