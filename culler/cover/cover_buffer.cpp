@@ -76,15 +76,13 @@ void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
   first_tile_ = 0;
 }
 
-/// The layer that boxes just behind the mesh ask, or of a box of eyes the next farther one. Still farther ones have to wait
-/// for join_layers(), which knows moves only across and up: of a ball, they take over nearly all of the mesh, and drawing it
-/// there, too, would take a sixth longer.
+/// The farthest layer that the mesh is drawn into. Farther ones have to wait for join_layers(), which knows moves only
+/// across and up, and loses less than the time that drawing takes is worth.
 std::size_t CoverBuffer::first_layer_of_mesh() const {
-  const std::size_t farther = picture_.eyes().radius > 0 ? 1 : 2;
+  const FocusLayers& layers = boxes_.layers;
   std::size_t layer = 0;
-  while (layer + farther < boxes_.layers.count && boxes_.layers.focus[layer + farther] < rasteriser_.farthest_of_mesh()) {
+  while (layer + layers.farther < layers.count && layers.focus[layer + layers.farther] < rasteriser_.farthest_of_mesh())
     ++layer;
-  }
   return layer;
 }
 

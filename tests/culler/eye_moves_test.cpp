@@ -306,21 +306,25 @@ TEST(EyeMoves, OfAPointByHand) {
 
 /// The more the eyes move what is far, the more layers there are: few where they hardly do, and most for a ball in a room.
 TEST(FocusLayers, AreAsManyAsTheEyesMoveWhatIsFarBy) {
-  const auto count = [](const EyeRegion& eyes, double depth) {
+  const auto layers = [](const EyeRegion& eyes, double depth) {
     Camera camera;
     camera.eyes = eyes;
-    return FocusLayers(ConservativeViewport(FrameView(camera, depth), {576, 360, 60}, 0)).count;
+    return FocusLayers(ConservativeViewport(FrameView(camera, depth), {576, 360, 60}, 0));
   };
+  const auto count = [&](const EyeRegion& eyes, double depth) { return layers(eyes, depth).count; };
   EXPECT_EQ(count(EyeRegion::ball(0), 1000), 1U) << "one eye";
   std::size_t before = 4;
   for (const double depth : {1e5, 1e4, 3e3, 1e3, 300.0, 100.0, 10.0}) {
-    const std::size_t layers = count(EyeRegion::ball(0.25), depth);
-    EXPECT_GE(layers, before) << depth;
-    before = layers;
+    const std::size_t found = count(EyeRegion::ball(0.25), depth);
+    EXPECT_GE(found, before) << depth;
+    before = found;
   }
   EXPECT_EQ(count(EyeRegion::ball(0.25), 1e5), 4U);
   EXPECT_EQ(count(EyeRegion::ball(0.25), 10), FocusLayers::kMost);
   EXPECT_EQ(count(EyeRegion::box({0.25, 0, 0}, {0, 0.25, 0}), 10), 8U) << "a box";
+  EXPECT_EQ(layers(EyeRegion::ball(0.25), 1e4).farther, 1U);
+  EXPECT_EQ(layers(EyeRegion::ball(0.25), 300).farther, 2U) << "a castle";
+  EXPECT_EQ(layers(EyeRegion::ball(0.25), 10).farther, 1U) << "a room";
 }
 
 }  // namespace eye_moves_test
