@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kExtensions = {".ply", ".obj", ".ply", ".obj", ".gltf", ".glb", ".dae", ".stl", ".off"};
 
 void read(const ScratchFile& file) {
-  const culler::PolygonSoup soup = render::read_model(file.path()).soup;
+  const auto [soup, notes, colours] = render::read_model(file.path(), {.with_colours = true});
   if (soup.empty()) finding("a model without polygons");
   for (std::size_t p = 0; p < soup.size(); ++p) {
     if (soup.first[p + 1] < soup.first[p] + 3) finding("a polygon of fewer than three vertices");
@@ -27,6 +27,7 @@ void read(const ScratchFile& file) {
       finding("an opaque polygon whose fan is not a face");
     }
   }
+  if (!colours.empty() && colours.size() != soup.size()) finding("not a colour for each polygon");
   if (soup.first.back() != soup.indices.size()) finding("indices of no polygon");
 }
 

@@ -25,6 +25,7 @@
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
+#include "page_reader.h"
 
 namespace occlude::render {
 namespace gltf_test {
@@ -170,10 +171,12 @@ class GltfTest : public testing::Test {
   [[nodiscard]] Model read(const File& file) const { return read_gltf(store("a.gltf", file.text())); }
   [[nodiscard]] Model read_binary(const File& file) const { return read_gltf(store("a.glb", file.binary())); }
 
+  [[nodiscard]] Model read_coloured(const File& file) const { return read_gltf(store("a.gltf", file.text()), true); }
+
   /// The message without the name of the file.
-  [[nodiscard]] static std::string failure(const fs::path& file) {
+  [[nodiscard]] static std::string failure(const fs::path& file, bool with_colours = false) {
     try {
-      static_cast<void>(read_gltf(file));
+      static_cast<void>(read_gltf(file, with_colours));
     } catch (const InputError& error) {
       const std::string what = error.what();
       EXPECT_TRUE(what.starts_with(file.string() + ": ")) << what;
@@ -183,6 +186,7 @@ class GltfTest : public testing::Test {
     return "no error";
   }
   [[nodiscard]] std::string failure(const File& file) const { return failure(store("a.gltf", file.text())); }
+  [[nodiscard]] std::string failure_coloured(const File& file) const { return failure(store("a.gltf", file.text()), true); }
 
   [[nodiscard]] static Model kept(const std::string& name) { return read_gltf(fs::path(OCCLUDE_MODELS) / name); }
 
@@ -506,6 +510,108 @@ TEST_F(GltfTest, WhatLetsLightThroughHidesNothing) {
   }
   file.primitive()["material"] = 1;
   EXPECT_EQ(failure(file), "node 0: mesh 0: primitive 0: material 1: there are 1");
+}
+
+/// A pixel of red light and one of green.
+constexpr const char* kRedAndGreen =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAIAAAB7QOjdAAAAD0lEQVR4nGP4z8DA8J8BAAf/Af8Bf4mnAAAAAElFTkSuQmCC";
+/// An opaque blue pixel, and a red one that is not there.
+constexpr const char* kBlue =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAEUlEQVR4nGNgYPj//z8DAwMADvoC/n68pVoAAAAASUVORK5CYII=";
+
+/// The square with a material that has a texture.
+File textured(const json& image) {
+  File file = square();
+  file.primitive()["material"] = 0;
+  file.root["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  file.root["textures"] = {{{"source", 0}}};
+  file.root["images"] = json::array({image});
+  return file;
+}
+
+using Colours = std::vector<Rgb>;
+
+TEST_F(GltfTest, ColoursOfMaterialsAreLight) {
+  File file = square();
+  file.primitive()["material"] = 0;
+  file.root["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0, 1, 0.25}}}}}};
+  EXPECT_EQ(read_coloured(file).colours, Colours(2, {188, 0, 255}));
+  EXPECT_TRUE(read_coloured(file).soup.is_opaque(0));
+  EXPECT_TRUE(read(file).colours.empty()) << "not asked for";
+  // Beside a primitive without a material.
+  json& primitives = file.root["meshes"][0]["primitives"];
+  const json plain = {{"attributes", {{"POSITION", 0}}}};
+  primitives.insert(primitives.begin(), plain);
+  EXPECT_EQ(read_coloured(file).colours.front(), kWhite);
+  EXPECT_EQ(read_coloured(file).colours.back(), (Rgb{188, 0, 255}));
+  file.root["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1};
+  EXPECT_EQ(failure_coloured(file), "node 0: mesh 0: primitive 1: material 0: baseColorFactor: 3 numbers instead of 4");
+}
+
+TEST_F(GltfTest, ATextureIsItsMean) {
+  const std::string data = "data:image/png;base64,";
+  EXPECT_EQ(read_coloured(textured({{"uri", data + kRedAndGreen}})).colours, Colours(2, {188, 188, 0}));
+  EXPECT_EQ(read_coloured(textured({{"uri", data + kBlue}})).colours, Colours(2, {0, 0, 255}));
+  File file = textured({{"uri", data + kRedAndGreen}});
+  file.root["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 1, 1, 1};
+  EXPECT_EQ(read_coloured(file).colours, Colours(2, {137, 188, 0}));
+  EXPECT_TRUE(text_of(read_coloured(file).notes).empty());
+  // In a view of a container, and in a file.
+  const std::string png = from_base64(kBlue);
+  file = textured(json::object());
+  file.root["images"][0] = {{"bufferView", file.add_view(png)}, {"mimeType", "image/png"}};
+  EXPECT_EQ(read_gltf(store("a.glb", file.binary()), true).colours, Colours(2, {0, 0, 255}));
+  static_cast<void>(store("a b.png", png));
+  EXPECT_EQ(read_coloured(textured({{"uri", "a%20b.png"}})).colours, Colours(2, {0, 0, 255}));
+}
+
+TEST_F(GltfTest, WhatIsNoPngIsWhite) {
+  static_cast<void>(store("cut.png", from_base64(kBlue).substr(0, 50)));
+  static_cast<void>(store("../occlude_outside.png", from_base64(kBlue)));
+  for (const char* const uri :
+       {"cut.png", "none.png", "../occlude_outside.png", "data:image/png;base64,/9j/", "http://a/b.png"}) {
+    File file = textured({{"uri", uri}});
+    const Model model = read_coloured(file);
+    EXPECT_TRUE(model.colours.empty()) << uri;
+    EXPECT_EQ(text_of(model.notes), "1 texture is taken for white: only pictures in PNG are read") << uri;
+    EXPECT_TRUE(text_of(read(file).notes).empty()) << "not asked for";
+    file.root["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0, 0, 1, 1};
+    EXPECT_EQ(read_coloured(file).colours, Colours(2, {0, 0, 255})) << uri;
+  }
+  fs::remove(folder_ / "../occlude_outside.png");
+  File file = textured({{"uri", "none.png"}});
+  file.root["textures"] = json::array({json::object()});
+  EXPECT_EQ(text_of(read_coloured(file).notes), "1 texture is taken for white: only pictures in PNG are read");
+}
+
+TEST_F(GltfTest, ColoursOfVerticesAreTheirMean) {
+  // Triangles of vertices 0, 1, 2 and 2, 1, 3, whatever the square is made of.
+  File file;
+  file.set_positions(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+  file.set_indices(std::vector<std::uint8_t>{0, 1, 2, 2, 1, 3});
+  const auto colours_are = [&](std::size_t accessor) {
+    file.primitive()["attributes"]["COLOR_0"] = accessor;
+    return read_coloured(file).colours;
+  };
+  const Colours expected{{156, 0, 0}, {0, 0, 156}};
+  EXPECT_EQ(colours_are(file.add(std::vector<float>{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}, "VEC3", 3)), expected);
+  EXPECT_EQ(
+      colours_are(file.add(std::vector<std::uint8_t>{255, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 255, 9}, "VEC4", 4, true)),
+      expected);
+  EXPECT_EQ(colours_are(file.add(std::vector<std::uint16_t>{65535, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 65535}, "VEC3", 3, true)),
+            expected);
+  EXPECT_TRUE(read(file).colours.empty()) << "not asked for";
+  file.primitive()["material"] = 0;
+  file.root["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0, 1, 0.5, 1}}}}}};
+  EXPECT_EQ(read_coloured(file).colours, (Colours{{0, 0, 0}, {0, 0, 113}}));
+  const std::size_t pairs = file.add(std::vector<float>(8), "VEC2", 2), few = file.add(std::vector<float>(9), "VEC3", 3);
+  for (const auto& [accessor, reason] :
+       {std::pair(pairs, "accessor 5: type: 2 instead of 3 components"), std::pair(few, "3 elements for 4 vertices"),
+        std::pair(few + 1, "accessor 7: there are 7")}) {
+    file.primitive()["attributes"]["COLOR_0"] = accessor;
+    EXPECT_EQ(failure_coloured(file), std::string("node 0: mesh 0: primitive 0: COLOR_0: ") + reason);
+    EXPECT_EQ(failure(file), "no error") << "not asked for";
+  }
 }
 
 TEST_F(GltfTest, ExtensionsByName) {
@@ -835,7 +941,8 @@ TEST_F(GltfTest, MeshoptFilters) {
 }
 
 /// The surface by Draco's encoder, its positions in so many bits, or as they are.
-std::string draco_bytes(const Surface& surface, int bits, std::uint32_t& position_id) {
+std::string draco_bytes(const Surface& surface, int bits, std::uint32_t& position_id,
+                        const std::vector<std::uint8_t>& colours) {
   draco::Mesh mesh;
   const auto points = static_cast<std::uint32_t>(surface.positions.size() / 3);
   mesh.set_num_points(points);
@@ -844,6 +951,13 @@ std::string draco_bytes(const Surface& surface, int bits, std::uint32_t& positio
   const int id = mesh.AddAttribute(attribute, true, points);
   for (std::uint32_t i = 0; i < points; ++i)
     mesh.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i), &surface.positions[std::size_t{3} * i]);
+  if (!colours.empty()) {
+    draco::GeometryAttribute colour;
+    colour.Init(draco::GeometryAttribute::COLOR, nullptr, 3, draco::DT_UINT8, true, 3, 0);
+    const int of_colours = mesh.AddAttribute(colour, true, points);
+    for (std::uint32_t i = 0; i < points; ++i)
+      mesh.attribute(of_colours)->SetAttributeValue(draco::AttributeValueIndex(i), &colours[std::size_t{3} * i]);
+  }
   for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
     mesh.AddFace({draco::PointIndex(surface.indices[i]), draco::PointIndex(surface.indices[i + 1]),
                   draco::PointIndex(surface.indices[i + 2])});
@@ -857,10 +971,11 @@ std::string draco_bytes(const Surface& surface, int bits, std::uint32_t& positio
   return {buffer.data(), buffer.size()};
 }
 
-File draco_file(const Surface& surface, int bits) {
+/// If there are colours, they are the attribute after the positions.
+File draco_file(const Surface& surface, int bits, const std::vector<std::uint8_t>& colours = {}) {
   File file;
   std::uint32_t id = 0;
-  const std::size_t view = file.add_view(draco_bytes(surface, bits, id));
+  const std::size_t view = file.add_view(draco_bytes(surface, bits, id, colours));
   file.root["accessors"] = {{{"componentType", 5126}, {"count", surface.positions.size() / 3}, {"type", "VEC3"}},
                             {{"componentType", 5125}, {"count", surface.indices.size()}, {"type", "SCALAR"}}};
   file.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
@@ -890,6 +1005,24 @@ TEST_F(GltfTest, Draco) {
   file.bytes.resize(100);
   file.root["bufferViews"][0]["byteLength"] = 100;
   EXPECT_TRUE(failure(file).starts_with("node 0: mesh 0: primitive 0: KHR_draco_mesh_compression: the data is damaged: "));
+}
+
+TEST_F(GltfTest, DracoWithColours) {
+  const Surface surface(2);
+  const std::size_t vertices = surface.positions.size() / 3;
+  std::vector<std::uint8_t> colours;
+  for (std::size_t v = 0; v < vertices; ++v)
+    colours.insert(colours.end(), {0, static_cast<std::uint8_t>(v == 0 ? 255 : 0), 255});
+  File file = draco_file(surface, 0, colours);
+  file.root["accessors"].push_back({{"componentType", 5121}, {"count", vertices}, {"type", "VEC3"}, {"normalized", true}});
+  file.primitive()["attributes"]["COLOR_0"] = 2;
+  json& compressed = file.primitive()["extensions"]["KHR_draco_mesh_compression"]["attributes"];
+  compressed["COLOR_0"] = compressed["POSITION"].get<int>() + 1;
+  const Model model = read_coloured(file);
+  ASSERT_EQ(model.colours.size(), model.soup.size());
+  const auto at_first = std::ranges::count(surface.indices, 0U);
+  EXPECT_EQ(std::ranges::count(model.colours, Rgb{0, 156, 255}), at_first);
+  EXPECT_EQ(std::ranges::count(model.colours, Rgb{0, 0, 255}), static_cast<std::ptrdiff_t>(model.soup.size()) - at_first);
 }
 
 /// A morph target beside compressed positions is not compressed.

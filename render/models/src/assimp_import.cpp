@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "assimp_scene.h"
+#include "colours.h"
 #include "import_child.h"
 #include "model_builder.h"
 #include "model_check.h"
@@ -31,6 +32,13 @@ bool is_see_through(const aiMaterial& material) {
   return (material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && opacity < 1) ||
          material.GetTextureCount(aiTextureType_OPACITY) > 0 ||
          (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS && mode != aiString("OPAQUE"));
+}
+
+/// White where the importer cannot tell.
+Rgb colour_of(const aiMaterial& material) {
+  aiColor4D colour(1, 1, 1, 1);
+  if (material.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS) material.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+  return rgb_of({colour.r, colour.g, colour.b});
 }
 
 /// Where a node is, in the coordinates of the scene, and how exactly: the library gives its own placement and those above it
@@ -56,7 +64,8 @@ struct Placement {
 
 class SceneReader {
  public:
-  SceneReader(const std::filesystem::path& file, const ImportedScene& imported) : file_(file), scene_(imported.scene()) {
+  SceneReader(const std::filesystem::path& file, const ImportedScene& imported, bool with_colours)
+      : file_(file), scene_(imported.scene()), builder_(with_colours) {
     builder_.notes().file = imported.convention();
   }
 
@@ -97,19 +106,24 @@ class SceneReader {
     const aiMesh& mesh = *scene_.mMeshes[index];
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) check_face(index, i);
     add_vertices(index, placement);
-    const bool is_opaque =
-        mesh.mMaterialIndex >= scene_.mNumMaterials || !is_see_through(*scene_.mMaterials[mesh.mMaterialIndex]);
+    const Surface surface = surface_of(mesh);
     const std::span<const aiFace> faces(mesh.mFaces, mesh.mNumFaces);
     // The library does not tell a line from a face of two corners. Who writes lines makes a mesh of them.
     ModelNotes& notes = builder_.notes();
     std::size_t& others = std::ranges::any_of(faces, is_polygon) ? notes.few_corners : notes.points_and_lines;
     for (const aiFace& face : faces) {
       if (is_polygon(face)) {
-        add_face(face, is_opaque);
+        add_face(face, surface);
       } else {
         ++others;
       }
     }
+  }
+
+  [[nodiscard]] Surface surface_of(const aiMesh& mesh) const {
+    if (mesh.mMaterialIndex >= scene_.mNumMaterials) return {};
+    const aiMaterial& material = *scene_.mMaterials[mesh.mMaterialIndex];
+    return {!is_see_through(material), colour_of(material)};
   }
 
   void check_face(unsigned mesh, unsigned index) const {
@@ -146,10 +160,10 @@ class SceneReader {
     rounding = std::max(rounding, placement.error(most));
   }
 
-  void add_face(const aiFace& face, bool is_opaque) {
+  void add_face(const aiFace& face, const Surface& surface) {
     loop_.clear();
     for (const unsigned vertex : std::span(face.mIndices, face.mNumIndices)) loop_.push_back(places_[vertex]);
-    builder_.add_face(loop_, is_opaque);
+    builder_.add_face(loop_, surface);
   }
 
   const std::filesystem::path& file_;
@@ -161,13 +175,14 @@ class SceneReader {
 
 }  // namespace
 
-Model import_with_assimp(const std::filesystem::path& file, CountedFiles& files) {
+Model import_with_assimp(const std::filesystem::path& file, CountedFiles& files, bool with_colours) {
   const ImportedScene imported(file, files);
-  return SceneReader(file, imported).read();
+  return SceneReader(file, imported, with_colours).read();
 }
 
-Model read_with_assimp(const std::filesystem::path& file) {
-  Model model = import_in_child(file, kImportLibrary, [&](CountedFiles& files) { return import_with_assimp(file, files); });
+Model read_with_assimp(const std::filesystem::path& file, bool with_colours) {
+  Model model = import_in_child(file, kImportLibrary,
+                                [&](CountedFiles& files) { return import_with_assimp(file, files, with_colours); });
   require_usable(file, model.soup);
   return model;
 }

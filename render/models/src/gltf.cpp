@@ -8,10 +8,12 @@
 #include <span>
 #include <vector>
 
+#include "colours.h"
 #include "gltf_buffers.h"
 #include "gltf_document.h"
 #include "gltf_extensions.h"
 #include "gltf_file.h"
+#include "gltf_materials.h"
 #include "gltf_meshes.h"
 #include "gltf_nodes.h"
 #include "gltf_primitive.h"
@@ -50,8 +52,13 @@ class Places {
 
 class SceneReader {
  public:
-  SceneReader(const Document& document, Buffers& buffers, ModelBuilder& builder)
-      : document_(document), nodes_(document), meshes_(document, buffers, nodes_), builder_(builder) {}
+  SceneReader(const Document& document, Buffers& buffers, ModelBuilder& builder, bool with_colours)
+      : document_(document),
+        nodes_(document),
+        meshes_(document, buffers, nodes_, with_colours),
+        materials_(document, buffers),
+        with_colours_(with_colours),
+        builder_(builder) {}
 
   void read() {
     ModelNotes& notes = builder_.notes();
@@ -59,6 +66,10 @@ class SceneReader {
     notes.warnings = check_extensions(document_);
     for_each_shown(document_, nodes_, meshes_, [&](const Shown& shown) { add(shown); });
     for (const auto& [accessor, used] : used_) notes.unused_vertices += used.unused();
+    if (const std::size_t unread = materials_.unread(); unread != 0) {
+      notes.warnings.push_back(fmt::format("{} {} taken for white: only pictures in PNG are read", unread,
+                                           unread == 1 ? "texture is" : "textures are"));
+    }
   }
 
  private:
@@ -101,18 +112,23 @@ class SceneReader {
       return builder_.add_vertex(placed(matrix, primitive.position(vertex, pose)),
                                  [&] { return fmt::format("vertex {}", vertex); });
     };
+    const glm::dvec3 base = with_colours_ ? materials_.light(primitive.material()) : glm::dvec3(1);
+    Surface surface{primitive.is_opaque(), rgb_of_light(base)};
     places_.forget();
     std::array<std::uint32_t, 3> room{};
     for (std::uint64_t i = 0, faces = primitive.faces(); i < faces; ++i) {
       const std::span<std::uint32_t> face = primitive.face(i, room);
+      if (primitive.is_coloured()) surface.colour = rgb_of_light(base * primitive.light(face));
       for (std::uint32_t& corner : face) corner = places_.place(corner, [&, vertex = corner] { return add_vertex(vertex); });
-      builder_.add_face(face, primitive.is_opaque());
+      builder_.add_face(face, surface);
     }
   }
 
   const Document& document_;
   const Nodes nodes_;
   Meshes meshes_;
+  Materials materials_;
+  const bool with_colours_;
   ModelBuilder& builder_;
   Places places_{builder_};
   std::map<std::uint64_t, Used> used_;  ///< by accessor
@@ -121,15 +137,15 @@ class SceneReader {
 }  // namespace
 }  // namespace gltf
 
-Model read_gltf(const std::filesystem::path& file) {
+Model read_gltf(const std::filesystem::path& file, bool with_colours) {
   Model model = import_in_child(file, gltf::kReader, [&](CountedFiles& files) {
-    ModelBuilder builder;
+    ModelBuilder builder(with_colours);
     try {
       gltf::of_file(file, files, [&](const gltf::Document& document, gltf::Buffers& buffers) {
-        gltf::SceneReader(document, buffers, builder).read();
+        gltf::SceneReader(document, buffers, builder, with_colours).read();
       });
     } catch (const gltf::OldVersion&) {
-      return import_with_assimp(file, files);
+      return import_with_assimp(file, files, with_colours);
     }
     return builder.finish(file);
   });

@@ -116,6 +116,19 @@ Buffers::View Buffers::view(std::uint64_t index) {
             });
 }
 
+std::string Buffers::image(std::uint64_t index) {
+  const json& image = document_.item(kImages, index);
+  if (const auto index_of_view = find_whole(image, "bufferView")) {
+    const std::span<const std::byte> bytes = view(*index_of_view).bytes;
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+  const std::string uri = text_in(image, "uri", "");
+  if (uri.starts_with(kData)) return content_of_data_uri(uri);
+  const fs::path path = file_in(folder_, uri);
+  files_.count(path);
+  return read_input(path);
+}
+
 std::span<const std::byte> Buffers::part(const json& range) {
   const std::span<const std::byte> bytes = buffer(whole_in(range, "buffer"));
   const std::uint64_t offset = find_whole(range, "byteOffset").value_or(0), length = whole_in(range, "byteLength");

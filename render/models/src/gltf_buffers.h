@@ -34,6 +34,8 @@ class Buffers {
   };
   /// Of a view with EXT_meshopt_compression, what is decoded.
   [[nodiscard]] View view(std::uint64_t index);
+  /// The bytes of the file of a picture. They are not kept.
+  [[nodiscard]] std::string image(std::uint64_t index);
 
  private:
   [[nodiscard]] std::span<const std::byte> buffer(std::uint64_t index);

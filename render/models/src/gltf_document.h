@@ -56,6 +56,7 @@ struct List {
 };
 inline constexpr List kAccessors{"accessors", "accessor"}, kBuffers{"buffers", "buffer"};
 inline constexpr List kBufferViews{"bufferViews", "bufferView"}, kMaterials{"materials", "material"};
+inline constexpr List kImages{"images", "image"}, kTextures{"textures", "texture"};
 inline constexpr List kMeshes{"meshes", "mesh"}, kNodes{"nodes", "node"}, kScenes{"scenes", "scene"},
     kSkins{"skins", "skin"};
 

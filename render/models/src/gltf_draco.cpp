@@ -73,12 +73,13 @@ bool is_of_points(std::string_view name) {
 
 }  // namespace
 
-DracoMesh decode_draco(const json& extension, std::span<const std::byte> bytes) {
+DracoMesh decode_draco(const json& extension, std::span<const std::byte> bytes, bool with_colours) {
   const std::unique_ptr<draco::Mesh> mesh = decode_mesh(bytes);
   DracoMesh result{triangles_of(*mesh), {}};
   const json& attributes = object_in(extension, "attributes");
   for (const auto& [name, id] : attributes.items()) {
-    if (is_of_points(name)) result.attributes.emplace(name, attribute_of(*mesh, whole_in(attributes, name.c_str())));
+    if (is_of_points(name) || (with_colours && name == kColours))
+      result.attributes.emplace(name, attribute_of(*mesh, whole_in(attributes, name.c_str())));
   }
   return result;
 }

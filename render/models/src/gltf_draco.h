@@ -25,7 +25,11 @@ struct DracoMesh {
   static constexpr Accessor::Layout kTriangles{Component::uint32, false, 1};
 };
 
-/// Decodes the attributes that the extension names and that say where points are. Refuses what the library does.
-[[nodiscard]] DracoMesh decode_draco(const json& extension, std::span<const std::byte> bytes);
+/// As primitives call the colours of their vertices.
+inline constexpr const char* kColours = "COLOR_0";
+
+/// Decodes the attributes that the extension names and that say where points are, and colours if they are asked for. Refuses
+/// what the library does.
+[[nodiscard]] DracoMesh decode_draco(const json& extension, std::span<const std::byte> bytes, bool with_colours);
 
 }  // namespace occlude::render::gltf

@@ -21,7 +21,7 @@ const std::vector<Primitive>& Meshes::mesh(std::uint64_t index) {
          at([&] { return fmt::format("primitive {}", i); },
             [&] {
               if (!primitives[i].is_object()) refuse("expected an object");
-              read.emplace_back(document_, buffers_, primitives[i]);
+              read.emplace_back(document_, buffers_, primitives[i], with_colours_);
             });
        }
      });

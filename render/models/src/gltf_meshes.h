@@ -16,8 +16,8 @@ namespace occlude::render::gltf {
 
 class Meshes {
  public:
-  Meshes(const Document& document, Buffers& buffers, const Nodes& nodes)
-      : document_(document), buffers_(buffers), nodes_(nodes) {}
+  Meshes(const Document& document, Buffers& buffers, const Nodes& nodes, bool with_colours = false)
+      : document_(document), buffers_(buffers), nodes_(nodes), with_colours_(with_colours) {}
 
   /// The primitives of a mesh.
   [[nodiscard]] const std::vector<Primitive>& mesh(std::uint64_t index);
@@ -30,6 +30,7 @@ class Meshes {
   const Document& document_;
   Buffers& buffers_;
   const Nodes& nodes_;
+  const bool with_colours_;
   std::map<std::uint64_t, std::vector<Primitive>> meshes_;
   std::map<std::uint64_t, std::vector<glm::dmat4>> skins_;
 };

@@ -24,12 +24,12 @@ bool lets_light_through(const json& material) {
 
 }  // namespace
 
-Primitive::Primitive(const Document& document, Buffers& buffers, const json& primitive) {
+Primitive::Primitive(const Document& document, Buffers& buffers, const json& primitive, bool with_colours) {
   const std::uint64_t mode = find_whole(primitive, "mode").value_or(static_cast<std::uint64_t>(Mode::triangles));
   if (mode > static_cast<std::uint64_t>(Mode::triangle_fan)) refuse(fmt::format("mode: {} is not one of glTF", mode));
   mode_ = static_cast<Mode>(mode);
   read_material(document, primitive);
-  read_compressed(buffers, primitive);
+  read_compressed(buffers, primitive, with_colours);
   const json& attributes = object_in(primitive, "attributes");
   positions_ = attribute(document, buffers, attributes, "POSITION", 3, compressed_.get());
   if (!positions_) return;
@@ -43,22 +43,23 @@ Primitive::Primitive(const Document& document, Buffers& buffers, const json& pri
   }
   read_targets(document, buffers, primitive);
   read_influences(document, buffers, attributes);
+  if (with_colours) read_colours(document, buffers, attributes);
 }
 
 void Primitive::read_material(const Document& document, const json& primitive) {
-  const auto index = find_whole(primitive, "material");
-  if (!index) return;
-  const json& material = document.item(kMaterials, *index);
-  is_opaque_ = at([&] { return document.label(kMaterials, *index); }, [&] { return !lets_light_through(material); });
+  material_ = find_whole(primitive, "material");
+  if (!material_) return;
+  const json& material = document.item(kMaterials, *material_);
+  is_opaque_ = at([&] { return document.label(kMaterials, *material_); }, [&] { return !lets_light_through(material); });
 }
 
-void Primitive::read_compressed(Buffers& buffers, const json& primitive) {
+void Primitive::read_compressed(Buffers& buffers, const json& primitive, bool with_colours) {
   const json* const extension = find_extension(primitive, "KHR_draco_mesh_compression");
   if (extension == nullptr) return;
   at([] { return "KHR_draco_mesh_compression"; },
      [&] {
        compressed_ = std::make_shared<const DracoMesh>(
-           decode_draco(*extension, buffers.view(whole_in(*extension, "bufferView")).bytes));
+           decode_draco(*extension, buffers.view(whole_in(*extension, "bufferView")).bytes, with_colours));
      });
   indices_.emplace(DracoMesh::kTriangles, compressed_->triangles);
   mode_ = Mode::triangles;
@@ -104,6 +105,20 @@ void Primitive::read_influences(const Document& document, Buffers& buffers, cons
     if (!joints->is_unsigned()) refuse(fmt::format("JOINTS_{}: expected unsigned integers", set));
     influences_.push_back({*std::move(joints), *std::move(weights)});
   }
+}
+
+void Primitive::read_colours(const Document& document, Buffers& buffers, const json& attributes) {
+  const auto index = find_whole(attributes, kColours);
+  if (!index) return;
+  const std::string type =
+      at([] { return kColours; }, [&] { return text_in(document.item(kAccessors, *index), "type", ""); });
+  colours_ = attribute(document, buffers, attributes, kColours, type == "VEC4" ? 4 : 3, compressed_.get());
+}
+
+glm::dvec3 Primitive::light(std::span<const std::uint32_t> face) const {
+  glm::dvec3 sum(0);
+  for (const std::uint32_t vertex : face) sum += colours_->vec3(vertex);
+  return sum / static_cast<double>(face.size());
 }
 
 glm::dvec3 Primitive::position(std::uint64_t vertex, const Pose& pose) const {

@@ -25,8 +25,8 @@ struct Pose {
 
 class Primitive {
  public:
-  /// Refuses what does not fit together.
-  Primitive(const Document& document, Buffers& buffers, const json& primitive);
+  /// Refuses what does not fit together. Colours of vertices are read if they are asked for.
+  Primitive(const Document& document, Buffers& buffers, const json& primitive, bool with_colours);
 
   /// The number of vertices; 0 if the primitive has no positions.
   [[nodiscard]] std::uint64_t vertices() const { return positions_ ? positions_->size() : 0; }
@@ -34,11 +34,17 @@ class Primitive {
   [[nodiscard]] std::uint64_t position_accessor() const { return position_accessor_; }
   [[nodiscard]] bool is_skinned() const { return !influences_.empty(); }
   [[nodiscard]] bool is_opaque() const { return is_opaque_; }
+  [[nodiscard]] std::optional<std::uint64_t> material() const { return material_; }
+  /// Whether vertices have colours.
+  [[nodiscard]] bool is_coloured() const { return colours_.has_value(); }
   [[nodiscard]] bool is_compressed() const { return compressed_ != nullptr; }
 
   /// In the coordinates of the mesh or, with a skin, in those of the scene. Refuses a joint that the skin does not have.
   /// REQUIRES: vertex < vertices().
   [[nodiscard]] glm::dvec3 position(std::uint64_t vertex, const Pose& pose) const;
+
+  /// The mean of the light of vertices. REQUIRES: is_coloured(); at least one, all below vertices().
+  [[nodiscard]] glm::dvec3 light(std::span<const std::uint32_t> face) const;
 
   /// Points and lines, which are not drawn.
   [[nodiscard]] std::uint64_t points_and_lines() const;
@@ -56,10 +62,11 @@ class Primitive {
     Accessor joints, weights;
   };
 
-  void read_compressed(Buffers& buffers, const json& primitive);
+  void read_compressed(Buffers& buffers, const json& primitive, bool with_colours);
   void read_targets(const Document& document, Buffers& buffers, const json& primitive);
   void read_influences(const Document& document, Buffers& buffers, const json& attributes);
   void read_material(const Document& document, const json& primitive);
+  void read_colours(const Document& document, Buffers& buffers, const json& attributes);
   /// The attribute, which is one of each vertex, from what is compressed if it is there. Nothing if there is none of that
   /// name.
   [[nodiscard]] std::optional<Accessor> attribute(const Document& document, Buffers& buffers, const json& attributes,
@@ -73,7 +80,8 @@ class Primitive {
   Mode mode_ = Mode::triangles;
   bool is_opaque_ = true;
   std::shared_ptr<const DracoMesh> compressed_;  ///< what accessors refer to; null: they refer to buffers
-  std::optional<Accessor> positions_, indices_;
+  std::optional<std::uint64_t> material_;
+  std::optional<Accessor> positions_, indices_, colours_;
   std::uint64_t position_accessor_ = 0;
   std::vector<std::optional<Accessor>> targets_;  ///< how morph targets move vertices; nothing: not at all
   std::vector<Influence> influences_;

@@ -41,7 +41,7 @@ bool has_no_area(culler::SoupView soup, std::span<const std::uint32_t> loop) {
   return true;
 }
 
-void ModelBuilder::add_face(std::span<const std::uint32_t> loop, bool is_opaque) {
+void ModelBuilder::add_face(std::span<const std::uint32_t> loop, const Surface& surface) {
   if (loop.size() < 3) {
     ++model_.notes.few_corners;
     return;
@@ -62,7 +62,15 @@ void ModelBuilder::add_face(std::span<const std::uint32_t> loop, bool is_opaque)
       break;
   }
   if (has_no_area(soup, loop)) ++model_.notes.without_area;
-  if (!is_opaque) soup.see_through_from(first);
+  if (!surface.is_opaque) soup.see_through_from(first);
+  if (with_colours_) colour_from(first, surface.colour);
+}
+
+void ModelBuilder::colour_from(std::size_t first, const Rgb& colour) {
+  std::vector<Rgb>& colours = model_.colours;
+  if (colours.empty() && colour == kWhite) return;
+  colours.resize(first, kWhite);
+  colours.resize(model_.soup.size(), colour);
 }
 
 void ModelBuilder::reserve(std::size_t vertices, std::size_t faces) {

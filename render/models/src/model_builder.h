@@ -15,9 +15,18 @@
 
 namespace occlude::render {
 
+/// How a face looks.
+struct Surface {
+  bool is_opaque = true;
+  Rgb colour = kWhite;
+};
+
 /// Puts a model together. What is wrong with a vertex matters only once a face uses it.
 class ModelBuilder {
  public:
+  /// Of the colours of faces nothing is kept, unless they are asked for.
+  explicit ModelBuilder(bool with_colours) : with_colours_(with_colours) {}
+
   /// Adds a vertex, with numbers nearer to 0 than 2^-100 taken as 0. place() is called if it cannot be used: the file and
   /// the place in it, for the message.
   template <class Place>
@@ -28,7 +37,7 @@ class ModelBuilder {
 
   /// Adds a face of any shape over vertices that are there; one of fewer than three corners is left out. Throws InputError
   /// about a vertex that cannot be used.
-  void add_face(std::span<const std::uint32_t> loop, bool is_opaque = true);
+  void add_face(std::span<const std::uint32_t> loop, const Surface& surface);
 
   [[nodiscard]] ModelNotes& notes() { return model_.notes; }
 
@@ -56,7 +65,10 @@ class ModelBuilder {
   }
   void require_sound(std::span<const std::uint32_t> loop) const;
   void leave_out_unused();
+  /// All polygons from `first` on are of this colour.
+  void colour_from(std::size_t first, const Rgb& colour);
 
+  bool with_colours_;
   Model model_;
   std::vector<std::uint8_t> is_used_;  ///< 1 where a face has the vertex
   std::vector<Fault> faults_;          ///< of vertices that no face may use, ascending; in the soup they are 0

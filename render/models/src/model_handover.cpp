@@ -14,7 +14,7 @@ namespace {
 template <class SomeModel, class Array, class Number>
 void each_part(SomeModel& model, const Array& array, const Number& number) {
   array(model.soup.vertices), array(model.soup.indices), array(model.soup.first);
-  array(model.soup.faces), array(model.soup.see_through);
+  array(model.soup.faces), array(model.soup.see_through), array(model.colours);
   auto& notes = model.notes;
   number(notes.file.metres), number(notes.file.up), number(notes.rounding);
   number(notes.triangulated), number(notes.crossing), number(notes.without_area), number(notes.few_corners);
@@ -43,7 +43,8 @@ void take_over(Model& model, HandoverReader& reader) {
   each_part(
       model, [&](auto& items) { reader.take(items); }, [&](auto& number) { reader.take_number(number); });
   reader.take_texts(model.notes.warnings);
-  if (!is_sound(model.soup) || !is_sound(model.notes.file)) refuse_damage();
+  const bool has_all_colours = model.colours.empty() || model.colours.size() == model.soup.size();
+  if (!is_sound(model.soup) || !has_all_colours || !is_sound(model.notes.file)) refuse_damage();
 }
 
 }  // namespace occlude::render

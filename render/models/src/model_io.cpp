@@ -13,19 +13,19 @@
 namespace occlude::render {
 namespace {
 
-Model read_as_it_is(const std::filesystem::path& file) {
+Model read_as_it_is(const std::filesystem::path& file, bool with_colours) {
   if (is_store(file)) return {model_of(read_store(file, culler::Method::frusta)), {}};
   const std::string extension = extension_of(file);
-  if (extension == ".ply") return read_ply(file);
-  if (extension == ".obj") return read_obj(file);
-  if (is_gltf(file)) return read_gltf(file);
-  return read_with_assimp(file);
+  if (extension == ".ply") return read_ply(file, with_colours);
+  if (extension == ".obj") return read_obj(file, with_colours);
+  if (is_gltf(file)) return read_gltf(file, with_colours);
+  return read_with_assimp(file, with_colours);
 }
 
 }  // namespace
 
 Model read_model(const std::filesystem::path& file, const ReadOptions& options) try {
-  Model model = read_as_it_is(file);
+  Model model = read_as_it_is(file, options.with_colours);
   if (options.is_opaque_all) make_opaque(model.soup);
   convert(model, options.conversion, file);
   return model;

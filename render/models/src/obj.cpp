@@ -25,8 +25,8 @@ constexpr int kBase = 1;  // OBJ counts vertices from 1
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::filesystem::path& file)
-      : file_(file), bytes_(read_input(file)), lines_(file, bytes_), materials_(file) {}
+  ObjReader(const std::filesystem::path& file, bool with_colours)
+      : file_(file), bytes_(read_input(file)), lines_(file, bytes_), builder_(with_colours), materials_(file) {}
 
   Model read() {
     while (!lines_.are_over()) read_statement();
@@ -39,7 +39,7 @@ class ObjReader {
   /// A face may use vertices that follow it, so faces are checked at the end.
   struct Face {
     std::size_t line, first;  ///< its first index is indices_[first]
-    bool is_opaque;
+    Surface surface;
   };
 
   [[nodiscard]] std::string place(std::size_t line) const { return fmt::format("{}:{}", file_.string(), line); }
@@ -60,7 +60,7 @@ class ObjReader {
     } else if (keyword == "mtllib") {
       materials_.read(trimmed(statement));
     } else if (keyword == "usemtl") {
-      is_opaque_ = materials_.is_opaque(trimmed(statement));
+      surface_ = materials_.surface(trimmed(statement));
     }
   }
 
@@ -80,7 +80,7 @@ class ObjReader {
   }
 
   void read_face(std::string_view arguments) {
-    faces_.push_back({line_, indices_.size(), is_opaque_});
+    faces_.push_back({line_, indices_.size(), surface_});
     for (auto word = next_word(arguments); !word.empty() && word[0] != '#'; word = next_word(arguments)) {
       // After a slash come indices of texture coordinates and normals.
       const auto number = parse_number<std::int64_t>(word.substr(0, word.find('/')));
@@ -110,7 +110,7 @@ class ObjReader {
         }
         loop.push_back(static_cast<std::uint32_t>(indices_[k]));
       }
-      builder_.add_face(loop, faces_[i].is_opaque);
+      builder_.add_face(loop, faces_[i].surface);
     }
   }
 
@@ -120,13 +120,13 @@ class ObjReader {
   std::size_t line_ = 0;
   ModelBuilder builder_;
   obj::Materials materials_;
-  bool is_opaque_ = true;  ///< of the material in use
+  Surface surface_;  ///< of the material in use
   std::vector<std::int64_t> indices_;
   std::vector<Face> faces_;
 };
 
 }  // namespace
 
-Model read_obj(const std::filesystem::path& file) { return ObjReader(file).read(); }
+Model read_obj(const std::filesystem::path& file, bool with_colours) { return ObjReader(file, with_colours).read(); }
 
 }  // namespace occlude::render

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "colours.h"
 #include "obj_lines.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"
@@ -21,7 +25,25 @@ bool is_see_through(std::string_view keyword, std::string_view arguments) {
   return number && (keyword == "d" ? *number < 1 : *number > 0);
 }
 
+/// Of the arguments of Kd: three numbers, or one for all. Nothing for other ways to name a colour.
+std::optional<Rgb> colour_in(std::string_view arguments) {
+  glm::dvec3 colour;
+  for (int channel = 0; channel < 3; ++channel) {
+    const std::string_view word = next_word(arguments);
+    const auto number = parse_number<double>(word);
+    if (channel == 1 && word.empty()) return rgb_of(glm::dvec3(colour.r));
+    if (!number) return std::nullopt;
+    colour[channel] = *number;
+  }
+  return rgb_of(colour);
+}
+
 }  // namespace
+
+Surface Materials::surface(std::string_view name) const {
+  const auto found = surfaces_.find(name);
+  return found == surfaces_.end() ? Surface() : found->second;
+}
 
 void Materials::read(std::string_view names) {
   std::error_code error;
@@ -41,7 +63,9 @@ void Materials::read_file(const std::filesystem::path& file) try {
     if (keyword == "newmtl") {
       material = trimmed(statement);
     } else if (is_see_through(keyword, statement)) {
-      see_through_.insert(material);
+      surfaces_[material].is_opaque = false;
+    } else if (keyword == "Kd") {
+      if (const auto colour = colour_in(statement)) surfaces_[material].colour = *colour;
     }
   }
 } catch (const InputError& error) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which materials of an OBJ file let light through.
+// The materials of an OBJ file: which let light through, and their colours.
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "model_builder.h"
 
 namespace occlude::render::obj {
 
@@ -18,9 +21,9 @@ class Materials {
   /// Reads the material files of a statement `mtllib`: one name, which may have blanks, or several. One that cannot be read
   /// is a warning.
   void read(std::string_view names);
-  /// Whether the material of a statement `usemtl` is opaque. It is not where its dissolve (d) is below 1, its transparency
-  /// (Tr) above 0, or it has a picture of either. One that is not described is.
-  [[nodiscard]] bool is_opaque(std::string_view name) const { return !see_through_.contains(name); }
+  /// The material of a statement `usemtl`. It is not opaque where its dissolve (d) is below 1, its transparency (Tr) above
+  /// 0, or it has a picture of either. Its colour is Kd. One that is not described is opaque and white.
+  [[nodiscard]] Surface surface(std::string_view name) const;
 
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -28,7 +31,7 @@ class Materials {
   void read_file(const std::filesystem::path& file);
 
   const std::filesystem::path& file_;
-  std::set<std::string, std::less<>> see_through_;
+  std::map<std::string, Surface, std::less<>> surfaces_;
   std::set<std::string, std::less<>> read_;  ///< names of files
   std::vector<std::string> warnings_;
 };

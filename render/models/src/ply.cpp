@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "colours.h"
 #include "model_builder.h"
 #include "model_readers.h"
 #include "occlude/render/errors.h"
@@ -22,7 +25,43 @@ using ply::Header;
 using ply::Property;
 using ply::ValueReader;
 
-void read_vertices(ValueReader& values, const Element& element, ModelBuilder& builder) {
+/// The colour of each vertex or face of an element that has one.
+class ColourReader {
+ public:
+  ColourReader(ValueReader& values, const Element& element, bool with_colours)
+      : values_(values), is_there_(with_colours && std::ranges::all_of(kChannels, [&](const char* channel) {
+                                     const Property* const property = element.find(channel);
+                                     return property != nullptr && !property->count;
+                                   })) {}
+
+  [[nodiscard]] bool is_there() const { return is_there_; }
+  /// Reads the property, if it is of the colour.
+  [[nodiscard]] bool takes(const Property& property) {
+    if (!is_there_) return false;
+    const auto* const channel = std::ranges::find(kChannels, property.name);
+    if (channel == kChannels.end()) return false;
+    colour_[static_cast<int>(channel - kChannels.begin())] = values_.real(property.type) / most(property.type);
+    return true;
+  }
+  /// Of what was read last.
+  [[nodiscard]] Rgb colour() const { return is_there_ ? rgb_of(colour_) : kWhite; }
+
+ private:
+  /// What all light is in this type.
+  static double most(ply::Scalar type) {
+    if (!ply::is_integer(type)) return 1;
+    return ply::size_of(type) == 2 ? 65535 : 255;
+  }
+  static constexpr std::array<const char*, 3> kChannels = {"red", "green", "blue"};
+
+  ValueReader& values_;
+  const bool is_there_;
+  glm::dvec3 colour_{1};
+};
+
+/// Adds the vertices, and their colours to `colours`.
+void read_vertices(ValueReader& values, const Element& element, ModelBuilder& builder, ColourReader colour,
+                   std::vector<Rgb>& colours) {
   for (std::size_t i = 0; i < element.count; ++i) {
     values.enter(element, i);
     glm::dvec3 v{0, 0, 0};
@@ -30,10 +69,11 @@ void read_vertices(ValueReader& values, const Element& element, ModelBuilder& bu
       const char axis = property.name.size() == 1 ? property.name[0] : '\0';
       if (axis >= 'x' && axis <= 'z') {
         v[axis - 'x'] = values.real(property.type);
-      } else {
+      } else if (!colour.takes(property)) {
         values.skip(property);
       }
     }
+    if (colour.is_there()) colours.push_back(colour.colour());
     builder.add_vertex(v, [&] { return values.place(); });
   }
 }
@@ -68,9 +108,9 @@ class LoopReader {
   std::vector<std::uint32_t> loop_;
 };
 
-/// Calls add(loop) for each face of an element of faces or strips.
+/// Calls add(loop, colour) for each face of an element of faces or strips.
 template <class Add>
-void read_faces(ValueReader& values, const Element& element, std::size_t vertices, const Add& add) {
+void read_faces(ValueReader& values, const Element& element, std::size_t vertices, ColourReader colour, const Add& add) {
   const Property* const indices = element.loop();
   const bool is_strip = element.name == ply::kStrips;
   LoopReader loops(values, vertices, is_strip);
@@ -80,14 +120,15 @@ void read_faces(ValueReader& values, const Element& element, std::size_t vertice
     for (const Property& property : element.properties) {
       if (&property == indices) {
         loop = loops.read(property);
-      } else {
+      } else if (!colour.takes(property)) {
         values.skip(property);
       }
     }
+    const auto add_face = [&](std::span<const std::uint32_t> face) { add(face, colour.colour()); };
     if (is_strip) {
-      ply::for_each_triangle(loop, add);
+      ply::for_each_triangle(loop, add_face);
     } else {
-      add(loop);
+      add_face(loop);
     }
   }
 }
@@ -117,33 +158,42 @@ void require_declarations(const std::filesystem::path& file, const Header& heade
 
 }  // namespace
 
-Model read_ply(const std::filesystem::path& file) {
+Model read_ply(const std::filesystem::path& file, bool with_colours) {
   const std::string bytes = read_input(file);
   const Header header = ply::read_header(file, bytes);
   require_declarations(file, header);
   ValueReader values(file, header, bytes);
-  ModelBuilder builder;
-  const auto add = [&](std::span<const std::uint32_t> loop) { builder.add_face(loop); };
+  ModelBuilder builder(with_colours);
+  std::vector<Rgb> colours;  // of vertices
+  const auto add = [&](std::span<const std::uint32_t> loop, const Rgb& colour) {
+    builder.add_face(loop, {.colour = colours.empty() || loop.empty() ? colour : mean_colour(loop, colours)});
+  };
   // Elements may come in any order, and faces need their vertices.
   const std::size_t vertices = header.find("vertex")->count;
-  std::vector<std::vector<std::uint32_t>> waiting;
+  struct Face {
+    std::vector<std::uint32_t> loop;
+    Rgb colour;
+  };
+  std::vector<Face> waiting;
   for (const Element& element : header.elements) {
     values.expect_room_for(element);
+    const ColourReader colour(values, element, with_colours);
     if (element.name == "vertex") {
       builder.reserve(element.count, 0);
-      read_vertices(values, element, builder);
+      read_vertices(values, element, builder, colour, colours);
     } else if (!element.has_faces()) {
       skip_element(values, element);
     } else if (builder.vertices() == vertices) {
       builder.reserve(0, element.count);
-      read_faces(values, element, vertices, add);
+      read_faces(values, element, vertices, colour, add);
     } else {
-      read_faces(values, element, vertices,
-                 [&](std::span<const std::uint32_t> loop) { waiting.emplace_back(loop.begin(), loop.end()); });
+      read_faces(values, element, vertices, colour, [&](std::span<const std::uint32_t> loop, const Rgb& of_face) {
+        waiting.push_back({{loop.begin(), loop.end()}, of_face});
+      });
     }
   }
   values.expect_end();
-  for (const std::vector<std::uint32_t>& loop : waiting) add(loop);
+  for (const Face& face : waiting) add(face.loop, face.colour);
   return builder.finish(file);
 }
 

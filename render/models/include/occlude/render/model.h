@@ -10,6 +10,7 @@
 
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/render/convention.h"
+#include "occlude/render/rgb.h"
 
 namespace occlude::render {
 
@@ -20,6 +21,8 @@ struct ReadOptions {
   bool is_opaque_all = false;
   /// The default is that coordinates are those of the file, whatever it says of unit and axes.
   Conversion conversion = {};
+  /// Colours are read, too: three bytes a polygon.
+  bool with_colours = false;
 };
 
 /// What a reader found, beside faces that are drawn as they are.
@@ -45,6 +48,7 @@ struct ModelNotes {
 struct Model {
   culler::PolygonSoup soup;
   ModelNotes notes;
+  std::vector<Rgb> colours = {};  ///< of each polygon; empty: all are white, or they were not asked for
 };
 
 /// Whether the corners of a face lie on a line. Exact. REQUIRES: at least three corners, and legal coordinates.
