@@ -54,10 +54,12 @@ void require_small(const std::string& file, culler::SoupView model) {
 void inspect(const InspectArguments& arguments) {
   render::OutputFile out(arguments.out);
   const std::string page = read_page(arguments.page);
-  const render::Model read = read_model(arguments.model, arguments.read.options(arguments.model));
+  render::ReadOptions options = arguments.read.options(arguments.model);
+  options.with_colours = true;
+  const render::Model read = read_model(arguments.model, options);
   require_small(arguments.model, read.soup);
   render::Inspected inspected{render::printable(std::filesystem::path(arguments.model).filename().native()), read.soup,
-                              render::up_of(read.notes)};
+                              read.colours, render::up_of(read.notes)};
   std::optional<render::CameraPath> path;
   if (arguments.path.is_given()) {
     path = arguments.path.through(arguments.model, read);
@@ -80,7 +82,8 @@ void add_inspect(Command app, int&) {
       "The page is one file that works offline. It is viewer.html, beside the program, with the model inside;\n"
       "bash culler/js/page/build.sh builds that, with Emscripten and npm.\n"
       "Keys, mouse and fingers fly; beside the camera's view is one from outside, with what is hidden; a click says why.\n"
-      "Pictures are in perspective, whatever the path says.\n"
+      "Pictures are in perspective, whatever the path says. Polygons have the colours of their materials or vertices,\n"
+      "if the file has any.\n"
       "Exit code: 0, or 2 for bad input.\n" +
       limits_help() +
       "\n"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The parts of the page that need no browser: proofs, the rivals and their judge, links, recorded paths and built-in scenes. In a
+// The parts of the page that need no browser: proofs, the rivals and their judge, links, recorded paths, models
+// that are inside and built-in scenes. In a
 // browser the page is tested by tests/page/flight_test.py.
 import assert from "node:assert/strict";
 import {test} from "node:test";
+import {deflateSync} from "node:zlib";
 
 import {dist, need, packageFolder, random} from "./common.mjs";
 
@@ -301,6 +303,29 @@ test("the way round a model is higher where the model is high, so that one looks
   assert.ok(flat > 0.3 && flat < 0.4, `flat ${flat}`);
   assert.ok(court > 0.45 && court <= tower && tower < 0.65, `court ${court}, tower ${tower}`);
   for (const y of [1, -1]) assert.ok(Math.abs(slopeOf([30, 12, 18], [0, y, 0]) - court) < 1e-9);
+});
+
+test("a model inside of a page has the colours of its polygons, or is in clay", isMade, async () => {
+  const {sceneInside} = await part("inside");
+  const start = {name: "a.glb", origin: [0, 0, 0], up: [0, 0, 1]};
+  // A quadrilateral and two triangles, the second see-through, over four vertices, which are all where 0 is.
+  const soup = [3, 4 << 2, 3 << 2, (3 << 2) | 1, 0, 2, 2, 2, 5, 2, 2, 3, 2, 2], vertices = new Array(48).fill(0);
+  const read = async colours => {
+    const parts = {"part-start": new TextEncoder().encode(JSON.stringify(start)), "part-model": Uint8Array.from([...soup, ...colours, ...vertices])};
+    globalThis.document = {getElementById: id => id in parts ? {textContent: deflateSync(parts[id]).toString("base64")} : null};
+    try {
+      const {colours: found, isColoured, numbers} = (await sceneInside()).make();
+      return {isColoured, numbers: [...numbers], colours: Array.from(numbers, (_, t) => [...found.subarray(12 * t, 12 * t + 12)])};
+    } finally {
+      delete globalThis.document;
+    }
+  };
+  const all = corner => [...corner, ...corner, ...corner], numbers = [0, 0, 1, 2];
+  const white = all([255, 255, 255, 255]), glass = all([255, 255, 255, 0]);
+  assert.deepEqual(await read([0]), {isColoured: false, numbers, colours: [white, white, white, glass]});
+  // 0x000102 and, 0x7f0000 above it, 0x7f0102; the second, the first, the second.
+  const blue = all([0, 1, 2, 255]), red = all([0x7f, 1, 2, 255]), redGlass = all([0x7f, 1, 2, 0]);
+  assert.deepEqual(await read([2, 0x82, 2, 0x80, 0x80, 0xfc, 3, 2, 1, 2]), {isColoured: true, numbers, colours: [red, red, blue, redGlass]});
 });
 
 test("PLY files of each kind are read, with faces of many corners", isMade, async () => {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Flies through models that `occlude inspect` has put into the page: path.html, free.html and far.html, in the working folder."""
+"""Flies through models that `occlude inspect` has put into the page: path.html, free.html, far.html and coloured.html, in the
+working folder."""
 import json
 import os
 import unittest
@@ -55,6 +56,36 @@ class Inspect(browser.Flight):
         self.look([1, 2, 30], [1, 2, 0])
         why = self.run_script('return app.why(app.model.numbers.indexOf(2)).text')
         self.assertRegex(why, '^Polygon 2 of “far.obj” is drawn')
+
+    def looks_red(self):
+        """Whether the middle of the camera's view does."""
+        red, green, blue = self.run_script('''
+            const {x, y, width, height} = app.views.eye, gl = app.canvas.getContext("webgl2"), bytes = new Uint8Array(4);
+            gl.readPixels(x + width / 2, y + height / 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            return Array.from(bytes.subarray(0, 3));''')
+        return red > 2 * green and red > 4 * blue
+
+    def test_the_model_has_its_colours_or_is_in_clay(self):
+        self.open(file='coloured.html')
+        colours = self.run_script('''
+            const {colours, numbers} = app.model, corner = at => Array.from(colours.subarray(at, at + 4));
+            return Array.from(numbers, (face, t) => [face, ...[0, 4, 8].map(k => corner(12 * t + k))]);''')
+        white, red, glass = [255, 255, 255, 255], [255, 51, 0, 255], [0, 0, 255, 0]
+        self.assertEqual(sorted(colours), [[0, *3 * [white]]] * 2 + [[1, *3 * [red]]] * 2 + [[2, *3 * [glass]]])
+        self.look([11, 1, 9], [11, 1, 0])
+        self.assertTrue(self.looks_red())
+        self.element('more').click()
+        self.element('clay').click()
+        self.look([11, 1, 9], [11, 1, 0])
+        self.assertFalse(self.looks_red())
+        self.assertIn('&clay=1', self.run_script('return app.address()'))
+
+    def test_a_model_without_colours_has_no_choice(self):
+        self.open()
+        self.element('more').click()
+        self.assertTrue(self.element('settings').is_displayed())
+        self.assertFalse(self.element('clay').is_displayed())
+        self.assertFalse(self.element('model-settings').is_displayed())
 
     def test_links_and_paths_are_in_the_coordinates_of_the_file(self):
         self.open('#eye=3000001,500001,30&target=3000001,500002,10', 'far.html')

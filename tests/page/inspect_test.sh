@@ -30,6 +30,29 @@ END
 printf 'newmtl glass\nd 0.5\n' >far.mtl
 inspect far.obj --out far.html
 
+# A quadrilateral without material, and beside it a concave face and a see-through triangle.
+cat >coloured.obj <<'END'
+mtllib coloured.mtl
+v 0 0 0
+v 4 0 0
+v 4 4 0
+v 0 4 0
+v 10 0 0
+v 14 0 0
+v 12 1 0
+v 10 4 0
+v 20 0 0
+v 24 0 0
+v 20 4 0
+f 1 2 3 4
+usemtl red
+f 5 6 7 8
+usemtl glass
+f 9 10 11
+END
+printf 'newmtl glass\nd 0.5\nKd 0 0 1\nnewmtl red\nKd 1 0.2 0\n' >coloured.mtl
+inspect coloured.obj --out coloured.html
+
 "$python" -B "$tests/inspect_test.py" || fail "inspect_test.py"
 "$occlude" walk far.obj --path saved/path.json --no-render --out walked >/dev/null || fail "the path that was recorded"
 finish

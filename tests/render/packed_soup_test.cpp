@@ -20,6 +20,7 @@ struct Read {
   struct Polygon {
     std::vector<std::uint32_t> loop;
     bool is_see_through = false, is_same_face = false;
+    Rgb colour = kWhite;
   };
   std::vector<Polygon> polygons;
   std::vector<glm::vec3> vertices;
@@ -36,6 +37,15 @@ Read read(const std::string& bytes, std::size_t vertices) {
   std::int64_t index = 0;
   for (Read::Polygon& polygon : result.polygons) {
     for (std::uint32_t& corner : polygon.loop) corner = static_cast<std::uint32_t>(index += numbers.difference());
+  }
+  std::vector<std::uint64_t> palette(numbers.next());
+  std::uint64_t colour = 0;
+  for (std::uint64_t& known : palette) known = colour += numbers.next();
+  std::int64_t place = 0;
+  for (Read::Polygon& polygon : result.polygons) {
+    if (palette.empty()) break;
+    const std::uint64_t number = palette.at(static_cast<std::size_t>(place += numbers.difference()));
+    for (unsigned k = 0; k < 3; ++k) polygon.colour[k] = static_cast<std::uint8_t>(number >> (16 - 8 * k));
   }
   result.vertices.resize(vertices);
   for (int axis = 0; axis < 3; ++axis) {
@@ -91,6 +101,31 @@ TEST(PackedSoup, KeepsPolygonsAndRoundsCoordinatesOnce) {
   }
 }
 
+TEST(PackedSoup, KeepsColours) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const culler::PolygonSoup soup = random_soup(seed, -3, 10);
+    std::mt19937_64 random(seed);
+    std::vector<Rgb> colours(soup.size());
+    for (Rgb& colour : colours) {
+      // Few that come again and again, or as many as there are polygons.
+      const std::uint64_t bits = random() >> (seed % 2 == 0 ? 62 : 0);
+      colour = {static_cast<std::uint8_t>(bits >> 16), static_cast<std::uint8_t>(bits >> 8),
+                static_cast<std::uint8_t>(bits)};
+    }
+    const Read again = read(packed(soup, colours).bytes, soup.vertices.size());
+    for (std::size_t p = 0; p < soup.size(); ++p) {
+      EXPECT_EQ(again.polygons[p].colour, colours[p]);
+      EXPECT_EQ(again.polygons[p].is_see_through, !soup.is_opaque(p));
+    }
+    for (std::size_t v = 0; v < soup.vertices.size(); ++v) EXPECT_EQ(again.vertices[v], glm::vec3(soup.vertices[v]));
+  }
+}
+
+TEST(PackedSoup, OneColourIsNone) {
+  const culler::PolygonSoup soup = random_soup(1, 0, 1);
+  EXPECT_EQ(packed(soup, std::vector<Rgb>(soup.size(), {1, 2, 3})).bytes, packed(soup).bytes);
+}
+
 TEST(PackedSoup, HasItsDigitsHoweverFarFromZero) {
   for (const double low : {1e6, -3e9, 1e15}) {
     const double size = 1e-6 * std::abs(low);
@@ -113,7 +148,7 @@ TEST(PackedSoup, OfAPointFarAwayAndOfNothing) {
   point.add_vertex({1e20, 5, 0});
   point.add_polygon(std::vector<std::uint32_t>{0, 0, 0});
   EXPECT_EQ(packed(point).origin, glm::dvec3(1e20, 5, 0));
-  EXPECT_EQ(packed({}).bytes, std::string(1, '\0'));
+  EXPECT_EQ(packed({}).bytes, std::string(2, '\0'));
 }
 
 }  // namespace packed_soup_test

@@ -32,8 +32,8 @@ nlohmann::ordered_json path_json(const CameraPath& path) {
 bool is_inspect_page(std::string_view page) { return page.find(kPlace) != std::string_view::npos; }
 
 std::string inspect_page(std::string_view page, const Inspected& inspected) {
-  const auto& [name, model, up, path] = inspected;
-  const PackedSoup soup = packed(model);
+  const auto& [name, model, colours, up, path] = inspected;
+  const PackedSoup soup = packed(model, colours);
   nlohmann::ordered_json start = {
       {"name", name}, {"origin", page_json(soup.origin)}, {"up", page_json(path ? path->up : up)}};
   if (path) start["path"] = path_json(*path);

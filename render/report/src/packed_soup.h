@@ -3,9 +3,11 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/render/rgb.h"
 
 namespace occlude::render {
 
@@ -14,6 +16,7 @@ struct PackedSoup {
   std::string bytes;    ///< packed_soup.cpp has the format
 };
 
-[[nodiscard]] PackedSoup packed(culler::SoupView soup);
+/// REQUIRES: `colours` is empty, or has one for each polygon.
+[[nodiscard]] PackedSoup packed(culler::SoupView soup, std::span<const Rgb> colours = {});
 
 }  // namespace occlude::render

@@ -58,6 +58,8 @@ export class Panel {
     select.querySelector("option[value=own]")?.remove();
     if (isOwn) select.append(new Option(model.name, "own"));
     select.value = source.scene ?? "own";
+    byId("model-settings").hidden = !isOwn && !model.isColoured;
+    byId("clay-row").hidden = !model.isColoured;
     byId("up-row").hidden = !isOwn;
     inputOf("up").checked = model.up[1] === 1;
     byId("cameras-row").hidden = model.cameras.length === 0;

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/render/camera_path.h"
+#include "occlude/render/rgb.h"
 
 namespace occlude::render {
 
@@ -19,6 +21,7 @@ inline constexpr std::size_t kMostPageTriangles = 4'000'000;
 struct Inspected {
   std::string name;
   culler::SoupView model;
+  std::span<const Rgb> colours = {};  ///< of each polygon; empty: it has none
   glm::dvec3 up{0, 0, 1};
   const CameraPath* path = nullptr;  ///< to fly along; none: round the model
 };
