@@ -81,7 +81,7 @@ void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
 std::size_t CoverBuffer::first_layer_of_mesh() const {
   const FocusLayers& layers = boxes_.layers;
   std::size_t layer = 0;
-  while (layer + layers.farther < layers.count && layers.focus[layer + layers.farther] < rasteriser_.farthest_of_mesh())
+  while (layer + layers.beyond < layers.count && layers.focus[layer + layers.beyond] < rasteriser_.farthest_of_mesh())
     ++layer;
   return layer;
 }

@@ -18,18 +18,18 @@ constexpr double kPixelsOfE = 50;
 /// moves even what is far by many pixels.
 constexpr double kShareOfDepth = 8, kShareOfDepthOfBox = 1;
 
-/// How many layers there are, and into how many of them meshes are drawn, where the eyes move what is an eighth of the depth
-/// away by up to so many pixels. Each takes time, and the less the eyes move, the less is lost between two of them. Of what
-/// eight layers cull, these cull as much in two towns, where balls of 0.25 m move it by 0.05 and 0.35 pixels, in three
-/// quarters of the time. In a castle, where they move it by 1.6, twelve layers of which each mesh is drawn into one more
-/// cull 0.1 to 1.3 % more, and take a fifth longer.
+/// How many layers there are, and how many beyond a mesh it is drawn into, where the eyes move what is an eighth of the
+/// depth away by up to so many pixels. Each takes time, and the less the eyes move, the less is lost between two of them. In
+/// two towns, where balls of 0.25 m move it by 0.05 and 0.35 pixels, these cull as much as eight layers, in three quarters
+/// of the time. In a castle, where they move it by 1.6, twelve layers and one more beyond each mesh cull 0.1 to 1.3 % more
+/// than eight, and take a fifth longer.
 struct Enough {
   double pixels;
-  std::size_t layers, farther;
+  std::size_t layers, beyond;
 };
 constexpr double kAnyMove = std::numeric_limits<double>::infinity();
-/// Where a ball moves it by more than three pixels it is in a room. There another layer of each mesh would cull 0.5 % more
-/// and take a seventh longer.
+/// Where a ball moves it by more than three pixels it is in a room. There a second layer beyond each mesh would cull 0.5 %
+/// more and take a seventh longer.
 constexpr Enough kEnough[]{
     {0.06, 4, 1}, {0.25, 5, 1}, {1, 6, 1}, {3, FocusLayers::kMost, 2}, {kAnyMove, FocusLayers::kMost, 1}};
 /// Of boxes of eyes, meshes are drawn into more layers, so that twelve take too long.
@@ -73,7 +73,7 @@ FocusLayers::FocusLayers(const ConservativeViewport& picture) {
   const Steps steps{least, share / picture.depth(), pixels_of_moves(picture)};
   const Enough enough = enough_layers(picture.eyes(), steps.pixels * kShareOfDepth / picture.depth());
   count = enough.layers;
-  farther = enough.farther;
+  beyond = enough.beyond;
   // With the longest step the second layer is beyond `most`. Forty halvings leave less than a float can tell.
   double low = 0, high = (most - least) * (1 / (least + steps.depth_share) + steps.pixels / kPixelsOfE);
   for (int halving = 0; halving < 40; ++halving) {

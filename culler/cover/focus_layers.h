@@ -16,9 +16,9 @@ struct FocusLayers {
 
   std::array<float, kMost> focus{};
   std::size_t count = 1;
-  /// A mesh is drawn into the layer that boxes just behind it ask, and the nearer ones that have anything of it; and, if
-  /// this is more than 1, into so many farther ones less 1. Still farther ones take over what nearer ones have closed.
-  std::size_t farther = 1;
+  /// A mesh is drawn into the layers that it reaches, and into so many beyond it. Still farther ones take over what nearer
+  /// ones have closed.
+  std::size_t beyond = 1;
 
   FocusLayers() = default;
   explicit FocusLayers(const ConservativeViewport& picture);

@@ -322,9 +322,9 @@ TEST(FocusLayers, AreAsManyAsTheEyesMoveWhatIsFarBy) {
   EXPECT_EQ(count(EyeRegion::ball(0.25), 1e5), 4U);
   EXPECT_EQ(count(EyeRegion::ball(0.25), 10), FocusLayers::kMost);
   EXPECT_EQ(count(EyeRegion::box({0.25, 0, 0}, {0, 0.25, 0}), 10), 8U) << "a box";
-  EXPECT_EQ(layers(EyeRegion::ball(0.25), 1e4).farther, 1U);
-  EXPECT_EQ(layers(EyeRegion::ball(0.25), 300).farther, 2U) << "a castle";
-  EXPECT_EQ(layers(EyeRegion::ball(0.25), 10).farther, 1U) << "a room";
+  EXPECT_EQ(layers(EyeRegion::ball(0.25), 1e4).beyond, 1U);
+  EXPECT_EQ(layers(EyeRegion::ball(0.25), 300).beyond, 2U) << "a castle";
+  EXPECT_EQ(layers(EyeRegion::ball(0.25), 10).beyond, 1U) << "a room";
 }
 
 }  // namespace eye_moves_test

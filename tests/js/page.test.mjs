@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts of the page that need no browser: proofs, the rivals and their judge, links, recorded paths, models
-// that are inside and built-in scenes. In a
-// browser the page is tested by tests/page/flight_test.py.
+// The parts of the page that need no browser: proofs, the rivals and their judge, links, recorded paths, models that are inside and
+// built-in scenes. In a browser the page is tested by tests/page/flight_test.py.
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {deflateSync} from "node:zlib";
